@@ -25,75 +25,46 @@ TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
         Settings settings = load_scene("drop");
         assign(settings, "contact.continuous=false");
         assign(settings, setting);
-        ContactTrial trial(ContactScene{.settings = settings}, settings.solver.dt);
+        ContactTrial trial(settings);
         Simulation simulation("drop", settings);
         std::int64_t contacts = 0;
         for (int step = 0; step < 900; ++step) {
             simulation.step();
-            trial.advance();
+            trial.advance(static_cast<Real>(settings.solver.dt));
             trial.respond();
             contacts += simulation.report().contacts;
         }
         EXPECT_GT(contacts, 100) << setting;
-        EXPECT_EQ(trial.state().x, simulation.cloths()[0].state.x) << setting;
+        EXPECT_EQ(trial.cloths[0].state.x, simulation.cloths()[0].state.x) << setting;
     }
 }
 
-TEST(CompareContacts, CountsWhatTheReferenceTouchedAndTheRunDidNot) {
-    // Three steps of the run, two of the reference in each
-    const ContactHistory reference{.touched = {{}, {}, {1, 2}, {2, 3}, {4}, {}}};
-    const auto errors = [&reference](std::vector<std::vector<int>> touched, bool passed = false) {
-        return compare_contacts({.touched = std::move(touched), .passed = passed}, reference, 2);
-    };
-    EXPECT_EQ(errors({{}, {1, 2, 3}, {4}}).number("missed_contacts"), 0);
-    EXPECT_EQ(errors({{7}, {1, 2, 3, 8}, {4, 9}}).number("missed_contacts"), 0) << "more is not missed";
-    EXPECT_EQ(errors({{}, {1, 3}, {4}}).number("missed_contacts"), 0.25);
-    EXPECT_EQ(errors({{}, {1, 3}, {4}}).number("missed_steps"), 0);
-    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).number("missed_contacts"), 0.25) << "at the right time only";
-    EXPECT_EQ(errors({{4}, {1, 2, 3}, {}}).number("missed_steps"), 0.5);
-    EXPECT_EQ(errors({{}, {}, {}}).number("missed_contacts"), 1);
-    EXPECT_EQ(errors({{}, {}, {}}).number("missed_steps"), 1);
-    EXPECT_EQ(errors({{}, {}, {}}, true).word("passed"), "1");
-    EXPECT_EQ(
-        compare_contacts({.touched = {{1}}, .passed = true}, {.touched = {{1}}, .passed = true}, 1).word("passed"),
-        "0");
-}
-
-TEST(HungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushesTooSlowly) {
-    constexpr double speed = 8;  // m/s
-    const ContactScene scene = hung_cloth_and_ball(speed, 0.004);
-    const ContactHistory reference = watch_contacts(scene, Real(0.0005));
-    EXPECT_FALSE(reference.passed);
-    EXPECT_LT(reference.left, 2e-4);
-    EXPECT_LT(reference.entered, 1.5 * speed * 0.0005 + 1e-3) << "about as deep as the ball goes in a step";
-    double before = reference.entered;
-    for (const int finer : {2, 8}) {
-        const ContactHistory run = watch_contacts(scene, static_cast<Real>(0.0005 * finer));
-        EXPECT_GT(run.entered, before) << finer;
-        EXPECT_LT(compare_contacts(run, reference, finer).number("missed_contacts"), 0.2) << finer;
-        before = run.entered;
+TEST(LongHungCloth, IsEnteredDeeperTheLongerTheStepAndPassedWhereALimitedSearchPushesTooSlowly) {
+    const ExperimentCases cases = contact_experiment().cases(true);
+    const Rows longer = cases[7](), shorter = cases[8]();  // 8 m/s, steps of 1/60 and 1/120 s
+    for (const std::size_t search : {0u, 1u}) {
+        EXPECT_GT(longer[search].number("penetration_m"), shorter[search].number("penetration_m"));
+        EXPECT_GT(longer[search].number("left_m"), shorter[search].number("left_m"));
+        EXPECT_GT(longer[search].number("momentum_error"), shorter[search].number("momentum_error"));
+        EXPECT_EQ(longer[search].word("passed"), "0");
     }
-    const ContactHistory limited = watch_contacts(scene.with({"contact.search_tests=1"}), Real(0.004));
-    EXPECT_GT(limited.left, 0.1);
-    EXPECT_GT(limited.false_contacts, 0.1);
+    EXPECT_LT(shorter[0].number("reference_penetration_m"), 2e-4);
+    EXPECT_LT(shorter[0].number("missed_contacts"), 0.2);
+    EXPECT_GT(longer[0].number("missed_contacts"), 0.2);
+    EXPECT_EQ(longer[1].number("missed_contacts"), 0);
+    EXPECT_EQ(longer[3].word("passed"), "1");
+    EXPECT_GT(longer[3].number("false_contacts"), 0.1);
 }
 
 TEST(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) {
-    // In a step the ball goes more than a metre
-    const ContactScene scene = hung_cloth_and_ball(32, Real(1) / 30);
-    const ContactHistory truth =
-        watch_contacts(scene.with({"contact.volume=brute", "contact.continuous=auto"}), Real(1) / 3000);
-    const ContactHistory discrete = watch_contacts(scene, Real(1) / 30);
-    const ContactHistory continuous = watch_contacts(scene.with({"contact.continuous=auto"}), Real(1) / 30);
-    EXPECT_FALSE(truth.passed);
-    EXPECT_TRUE(discrete.passed);
-    EXPECT_FALSE(continuous.passed);
-    const Row missed = compare_contacts(discrete, truth, 100);
-    const Row found = compare_contacts(continuous, truth, 100);
-    EXPECT_EQ(missed.number("missed_contacts"), 1);
-    EXPECT_EQ(found.number("missed_steps"), 0);
-    EXPECT_LT(found.number("missed_contacts"), 0.1);
-    EXPECT_LT(found.number("momentum_error"), missed.number("momentum_error"));
+    const Rows rows = contact_experiment().cases(true)[12]();  // in a step the ball goes more than a metre
+    const Row &discrete = rows[0], &continuous = rows[1];
+    EXPECT_EQ(discrete.word("passed"), "1");
+    EXPECT_EQ(continuous.word("passed"), "0");
+    EXPECT_EQ(discrete.number("missed_contacts"), 1);
+    EXPECT_EQ(continuous.number("missed_steps"), 0);
+    EXPECT_LT(continuous.number("missed_contacts"), 0.1);
+    EXPECT_LT(continuous.number("momentum_error"), discrete.number("momentum_error"));
 }
 
 TEST(LabContact, WritesARowASearch) {

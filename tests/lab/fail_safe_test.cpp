@@ -19,16 +19,17 @@ struct ExactTally {
 /// A sheet is thrown at another, with the fail-safe or without.
 ExactTally throw_at_sheet(const ContactScene& scene, FailSafe fail_safe) {
     constexpr int steps = 24;
-    SelfContactTrial trial(scene, Real(1) / 240, fail_safe);
+    SelfContactTrial trial(scene, fail_safe);
     ExactTally tally;
     for (int step = 0; step < steps; ++step) {
-        tally.held_back += trial.step().held_back;
+        tally.held_back += trial.step(Real(1) / 240).at("held_back");
         std::array<CellBoxes, 2> boxes;
         std::vector<BoxedCloth> sheets;
         for (const std::size_t s : {0u, 1u}) {
             const Grid& grid = scene.settings.cloths[s].particles;
-            boxes[s].build(grid, trial.state(s).x);
-            sheets.push_back({{static_cast<int>(s), grid, trial.state(s).x}, boxes[s]});
+            const Points& x = trial.cloths[s].state.x;
+            boxes[s].build(grid, x);
+            sheets.push_back({{static_cast<int>(s), grid, x}, boxes[s]});
         }
         const std::int64_t crossings = test::crossings(sheets[0], sheets[0]) + test::crossings(sheets[1], sheets[1]) +
                                        test::crossings(sheets[0], sheets[1]);
@@ -71,7 +72,7 @@ ContactScene pleated_sheet() {
         start.x.row(p) << start.x(p, 0), slope * way + Real(0.02), back ? pleat - rest : rest;
     }
     start.v.rowwise() = Vec3(Real(0.3), -10, 0).transpose();
-    scene.start.push_back(start);
+    scene.start.states.push_back(start);
     settings.contact.self = true;
     settings.contact.thickness = Real(2e-4);
     settings.ground.solid = true;
@@ -84,7 +85,7 @@ ContactScene pleated_sheet() {
 ExactTally let_fall(const ContactScene& scene, bool self) {
     Settings settings = scene.settings;
     settings.contact.self = self;
-    Simulation simulation("pleats", std::move(settings), StartState{0, scene.start});
+    Simulation simulation("pleats", std::move(settings), scene.start);
     test::SceneCrossings oracle;
     ExactTally tally;
     const int steps = test::sanitized ? 12 : 48;

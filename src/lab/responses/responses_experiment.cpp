@@ -8,67 +8,48 @@
 namespace drape {
 namespace {
 
-constexpr double earth_g = 9.81;                      // m/s^2
-constexpr double half_a_degree = 0.0087268677907587;  // its tangent
+constexpr double earth_g = 9.81;  // m/s^2
 
 /// A sheet of 0.25 m, 6 x 6 particles, above a solid ground at y = 0; no thickness, no drag. The ball is far away.
-ContactScene sheet_above_ground(Real height, const SpringLaw& springs) {
-    ContactScene scene;
-    scene.settings.cloths.resize(1);
-    ClothParameters& cloth = scene.settings.cloths[0];
-    cloth.particles = {6, 6};
-    cloth.width = cloth.height = Real(0.25);
-    cloth.place = Vec3(0, height, 0);
-    cloth.pinned.kind = Pins::Kind::None;
-    cloth.drag = 0;
-    cloth.structural = cloth.shear = cloth.bend = springs;
-    scene.settings.balls.emplace_back().position = Vec3(0, 100, 0);
-    scene.settings.solver.integrator = IntegratorKind::SymplecticEuler;
-    scene.settings.contact.thickness = 0;
-    scene.settings.contact.update = UpdateKind::Merge;
-    scene.settings.contact.continuous = Continuous::Never;  // a step beyond the limit may move cloth far in its plane
-    scene.settings.ground = {.height = 0};
-    return scene;
-}
-
-/// A sheet on its ground, step by step.
-struct SheetTrial : ContactTrial {
-    using ContactTrial::ContactTrial;
-
-    void step() { advance(), respond(); }
-
-    [[nodiscard]] double mean(int axis) const { return static_cast<double>(state().x.col(axis).mean()); }
-    [[nodiscard]] double speed(int axis) const { return static_cast<double>(state().v.col(axis).mean()); }
-};
-
-/// Whether a sheet that rests on a penalty is thrown off, farther than 100 times the depth at which it rests.
-bool is_thrown(const ContactScene& scene, double depth, Real step) {
-    constexpr int steps = 2000;
-    SheetTrial sheet(scene, step);
-    for (int k = 0; k < steps; ++k) {
-        sheet.step();
-        if (!(std::abs(sheet.mean(1)) < 100 * depth)) return true;
-    }
-    return false;
+Settings sheet_above_ground(ResponseKind response, IntegratorKind integrator, Real height, const SpringLaw& springs) {
+    Settings settings;
+    settings.cloths = {{.particles = {6, 6},
+                        .width = Real(0.25),
+                        .height = Real(0.25),
+                        .place = Vec3(0, height, 0),
+                        .pinned = {Pins::Kind::None, {}},
+                        .structural = springs,
+                        .shear = springs,
+                        .bend = springs,
+                        .drag = 0}};
+    settings.balls.emplace_back().position = Vec3(0, 100, 0);
+    settings.solver.integrator = integrator;
+    settings.contact.response = response;
+    settings.contact.thickness = 0;
+    settings.contact.update = UpdateKind::Merge;
+    settings.contact.continuous = Continuous::Never;  // a step beyond the limit may move cloth far in its plane
+    settings.ground = {.height = 0};
+    return settings;
 }
 
 }  // namespace
 
 Row drop_sheet(ResponseKind kind, Real step) {
     constexpr double height = 0.5, restitution = 0.6, longest = 2;
-    ContactScene scene = sheet_above_ground(static_cast<Real>(height), {200, Real(0.02)});
-    scene.settings.solver.integrator = IntegratorKind::VelocityVerlet;  // falls without error
-    scene.settings.contact.response = kind;
-    scene.settings.ground.restitution = Real(restitution);
-    SheetTrial sheet(scene, step);
+    // Verlet falls without error
+    Settings settings = sheet_above_ground(kind, IntegratorKind::VelocityVerlet, Real(height), {200, Real(0.02)});
+    settings.ground.restitution = Real(restitution);
+    ContactTrial sheet(settings);
+    const ClothState& state = sheet.cloths[0].state;
     const double h = static_cast<double>(step);
     bool touched = false;
     for (double time = h; time < longest; time += h) {
-        sheet.step();
-        touched = touched || sheet.speed(1) > 0;
-        if (!touched || sheet.mean(1) <= 0 || sheet.speed(1) <= 0) continue;
-        const double up = std::sqrt(sheet.speed(1) * sheet.speed(1) + 2 * earth_g * sheet.mean(1));
-        const double left = time - (up - sheet.speed(1)) / earth_g, reached = up * up / (2 * earth_g);
+        sheet.advance(step), sheet.respond();
+        const double speed = state.v.col(1).mean(), y = state.x.col(1).mean();
+        touched = touched || speed > 0;
+        if (!touched || y <= 0 || speed <= 0) continue;
+        const double up = std::sqrt(speed * speed + 2 * earth_g * y);
+        const double left = time - (up - speed) / earth_g, reached = up * up / (2 * earth_g);
         return {{"impact_error_s", std::abs(left - std::sqrt(2 * height / earth_g))},
                 {"height_error", std::abs(reached / (restitution * restitution * height) - 1)}};
     }
@@ -76,47 +57,52 @@ Row drop_sheet(ResponseKind kind, Real step) {
 }
 
 Row lay_on_slope(ResponseKind kind, Real step) {
-    constexpr double half = 0.5;  // s
+    constexpr double half_a_degree = 0.0087268677907587;  // its tangent
     // The tangent of a difference of angles
     const double friction = 0.5, slope = (friction - half_a_degree) / (1 + friction * half_a_degree);
     const double along = slope / std::sqrt(1 + slope * slope), down = 1 / std::sqrt(1 + slope * slope);
-    ContactScene scene = sheet_above_ground(0, {50, Real(0.02)});
-    scene.settings.solver.integrator = IntegratorKind::BackwardEuler;  // stable at each of the steps
-    scene.settings.contact.response = kind;
-    scene.settings.ground.friction = static_cast<Real>(friction);
-    scene.gravity = Vec3(static_cast<Real>(earth_g * along), static_cast<Real>(-earth_g * down), 0);
-    SheetTrial sheet(scene, step);
-    const auto steps = std::llround(half / static_cast<double>(step));
-    for (std::int64_t k = 0; k < steps; ++k) sheet.step();
-    const double start = sheet.mean(0);
+    // Backward Euler is stable at each of the steps
+    Settings settings = sheet_above_ground(kind, IntegratorKind::BackwardEuler, 0, {50, Real(0.02)});
+    settings.ground.friction = static_cast<Real>(friction);
+    ContactTrial sheet(settings);
+    sheet.cloths[0].model.gravity = Vec3(static_cast<Real>(earth_g * along), static_cast<Real>(-earth_g * down), 0);
+    const auto steps = std::llround(0.5 / static_cast<double>(step));
+    for (std::int64_t k = 0; k < steps; ++k) sheet.advance(step), sheet.respond();
+    const double start = sheet.cloths[0].state.x.col(0).mean(), seconds = static_cast<double>(steps) * step;
     double sweeps = 0;
     std::vector<double> costs;
     for (std::int64_t k = 0; k < steps; ++k) {
-        sheet.advance();
-        ResponseReport report;
-        costs.push_back(cpu_time_of([&] { report = sheet.respond(); }));
-        sweeps += report.sweeps / static_cast<double>(steps);
+        sheet.advance(step);
+        costs.push_back(cpu_time_of([&] { sheet.respond(); }));
+        sweeps += static_cast<double>(sheet.report.contact_sweeps) / static_cast<double>(steps);
     }
-    const double time = static_cast<double>(steps) * static_cast<double>(step);
-    return {{"drift_m_per_s", std::abs(sheet.mean(0) - start) / time},
+    return {{"drift_m_per_s", std::abs(sheet.cloths[0].state.x.col(0).mean() - start) / seconds},
             {"sweeps", sweeps},
             {"respond_s", quartiles_of(std::move(costs))}};
 }
 
 Row find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrator) {
-    ContactScene scene = sheet_above_ground(0, {});
-    scene.settings.contact.response = ResponseKind::Penalty;
-    scene.settings.contact.stiffness = stiffness;
-    scene.settings.ground.restitution = restitution;
-    scene.settings.solver.integrator = integrator;
-    const Real mass = make_cloth_model(scene.settings.cloths[0]).particle_mass;
+    Settings settings = sheet_above_ground(ResponseKind::Penalty, integrator, 0, {});
+    settings.contact.stiffness = stiffness;
+    settings.ground.restitution = restitution;
+    const Real mass = make_cloth_model(settings.cloths[0]).particle_mass;
     const Real depth = mass * static_cast<Real>(earth_g) / stiffness;
-    scene.settings.cloths[0].place.y() = -depth;
+    settings.cloths[0].place.y() = -depth;
+    // Farther than 100 times the depth at which it rests
+    const auto is_thrown = [&](Real step) {
+        ContactTrial sheet(settings);
+        bool rests = true;
+        for (int k = 0; rests && k < 2000; ++k) {
+            sheet.advance(step), sheet.respond();
+            rests = std::abs(sheet.cloths[0].state.x.col(1).mean()) < 100 * depth;
+        }
+        return !rests;
+    };
     const Real predicted = penalty_step_limit(stiffness, restitution, 1 / mass, displacement_factor(integrator));
     Real low = predicted / 10, high = 4 * predicted;
     while (high > Real(1.005) * low) {
         const Real step = std::sqrt(low * high);
-        (is_thrown(scene, static_cast<double>(depth), step) ? high : low) = step;
+        (is_thrown(step) ? high : low) = step;
     }
     return {{"predicted_step_s", predicted}, {"measured_step_s", std::sqrt(low * high)}};
 }
@@ -124,18 +110,15 @@ Row find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrat
 namespace {
 
 Rows run_at_step(ResponseKind kind, double rate) {
-    const auto step = static_cast<Real>(1 / rate);
     Row row{{"part", "step"}, {"response", kind}, {"step_s", 1 / rate}};
-    row.set(drop_sheet(kind, step));
-    row.set(lay_on_slope(kind, step));
+    row.set(drop_sheet(kind, static_cast<Real>(1 / rate)));
+    row.set(lay_on_slope(kind, static_cast<Real>(1 / rate)));
     return {row};
 }
 
 Rows run_limit(double stiffness, double restitution) {
-    Row row{{"part", "limit"},
-            {"response", ResponseKind::Penalty},
-            {"stiffness_N_per_m", stiffness},
-            {"restitution", restitution}};
+    Row row{{"part", "limit"}, {"response", ResponseKind::Penalty}};
+    row.set({{"stiffness_N_per_m", stiffness}, {"restitution", restitution}});
     row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
     return {row};
 }
@@ -152,11 +135,10 @@ ExperimentCases limit_cases(bool quick) {
 }
 
 std::vector<Chart> step_charts(const Rows& rows) {
-    const auto responses = words_of(rows, "response");
     return {{"responses",
              "A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height "
              "to which it bounces; and how fast a sheet drifts that should stick to a slope.",
-             {{"responses", in_words(responses)}}}};
+             {{"responses", in_words(words_of(rows, "response"))}}}};
 }
 
 std::vector<Chart> limit_charts(const Rows&) {
