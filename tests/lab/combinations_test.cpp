@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "drape/scene/setting_table.h"
 #include "lab/combinations/combination.h"
 #include "lab/lab_run.h"
 
@@ -20,36 +21,34 @@ constexpr double seconds = 1;  // `drape-lab combinations` has two
 class Combinations : public testing::TestWithParam<std::size_t> {};
 
 const auto name_of_pair = [](const auto& param) {
-    const Combination first = all_combinations()[param.param];
-    return name_of(first.integrator) + "_" + name_of(first.response);
+    const Settings first = all_combinations()[param.param];
+    return name_of(first.solver.integrator) + "_" + name_of(first.contact.response);
 };
 INSTANTIATE_TEST_SUITE_P(Long, Combinations, testing::Values(std::size_t{0}, std::size_t{42}), name_of_pair);
 INSTANTIATE_TEST_SUITE_P(Nightly, Combinations, testing::Range<std::size_t>(0, 80, 2), name_of_pair);
 
 TEST_P(Combinations, StayWithinBoundsAndHaveTheBitsOfBruteForce) {
     for (const std::size_t number : {GetParam(), GetParam() + 1}) {
-        const Combination combination = all_combinations()[number];
-        const SearchTree tree = sampled_tree(number);
-        const CombinationRun run = run_combination(combination, tree, seconds);
+        const Settings combination = all_combinations()[number];
+        const Settings by_tree = with_all_trees(combination)[sampled_tree(number)];
+        const CombinationRun run = run_combination(combination, seconds);
         // The last of the flaws: the cloth comes to rest later
-        EXPECT_THAT(flaw_of(run), AnyOf("none", "speed"))
-            << run.penetration << " m, " << run.energy_gain << " m, " << run.speed
-            << " m/s, continuous: " << combination.continuous;
-        EXPECT_EQ(run.hash, run_combination(combination, {}, seconds).hash)
-            << name_of(tree.volume) << ", " << name_of(tree.update);
+        EXPECT_THAT(run.row.word("flaw"), AnyOf("none", "speed")) << run.row.word("detection");
+        EXPECT_EQ(run.hash, run_combination(by_tree, seconds).hash)
+            << name_of(by_tree.contact.volume) << ", " << name_of(by_tree.contact.update);
     }
 }
 
 TEST(CombinationSample, HasEveryTwoValuesTogether) {
     std::set<std::vector<int>> pairs;
     std::vector<std::size_t> counts{10, 4, 2, 7, 5};
-    const std::vector<Combination> all = all_combinations();
+    const std::vector<Settings> all = all_combinations();
     ASSERT_EQ(all.size(), 80u);
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const SearchTree tree = sampled_tree(k);
-        const std::vector<int> values{static_cast<int>(all[k].integrator), static_cast<int>(all[k].response),
-                                      all[k].continuous ? 1 : 0, static_cast<int>(tree.volume),
-                                      static_cast<int>(tree.update)};
+        const Settings tree = with_all_trees(all[k])[sampled_tree(k)];
+        const std::vector<int> values{static_cast<int>(tree.solver.integrator), static_cast<int>(tree.contact.response),
+                                      static_cast<int>(tree.contact.continuous), static_cast<int>(tree.contact.volume),
+                                      static_cast<int>(tree.contact.update)};
         for (int a = 0; a < 5; ++a) {
             for (int b = 0; b < a; ++b)
                 pairs.insert({a, b, values[static_cast<std::size_t>(a)], values[static_cast<std::size_t>(b)]});
@@ -60,26 +59,26 @@ TEST(CombinationSample, HasEveryTwoValuesTogether) {
         for (std::size_t b = 0; b < a; ++b) expected += counts[a] * counts[b];
     }
     EXPECT_EQ(pairs.size(), expected);
-    EXPECT_EQ(all_trees().size(), 35u);
+    EXPECT_EQ(with_all_trees(all[0]).size(), 35u);
 }
 
 // Planted faults
 
 TEST(CombinationRun, HasOtherBitsOrAFlawWhereSomethingIsWrong) {
-    const auto run = [](ResponseKind response, const SearchTree& tree, const std::vector<std::string>& changes) {
-        return run_combination({IntegratorKind::SymplecticEuler, response, false}, tree, seconds, changes);
+    const Settings projection = all_combinations()[8], penalty = all_combinations()[10];  // by symplectic Euler
+    const auto run = [](Settings settings, const std::vector<std::string>& changes) {
+        assign_all(settings, changes);
+        return run_combination(settings, seconds);
     };
-    EXPECT_NE(run(ResponseKind::Projection, {VolumeKind::Aabb, UpdateKind::Merge}, {"search_tests=3"}).hash,
-              run(ResponseKind::Projection, {}, {}).hash);
-    const auto flaw = [&run](ResponseKind response, const std::vector<std::string>& changes) {
-        return flaw_of(run(response, {}, changes));
+    EXPECT_NE(run(projection, {"contact.volume=aabb", "contact.update=merge", "search_tests=3"}).hash,
+              run(projection, {}).hash);
+    const auto flaw = [&run](const Settings& settings, const std::vector<std::string>& changes) {
+        return run(settings, changes).row.word("flaw");
     };
-    EXPECT_EQ(flaw(ResponseKind::Projection, {"solver.dt=2e-2"}), "diverged");
-    EXPECT_EQ(flaw(ResponseKind::Projection, {"ball.position=5,5,5", "ground.solid=false"}), "no_contact");
-    EXPECT_EQ(flaw(ResponseKind::Penalty, {"contact.stiffness=10"}), "penetration");
-    EXPECT_EQ(flaw(ResponseKind::Projection, {"cloth.drag=0", "contact.friction=0", "restitution=1", "dt=1e-3"}),
-              "speed");
-    EXPECT_EQ(flaw_of({.touched = 1, .energy_gain = 0.06}), "energy");
+    EXPECT_EQ(flaw(projection, {"solver.dt=2e-2"}), "diverged");
+    EXPECT_EQ(flaw(projection, {"ball.position=5,5,5", "ground.solid=false"}), "no_contact");
+    EXPECT_EQ(flaw(penalty, {"contact.stiffness=10"}), "penetration");
+    EXPECT_EQ(flaw(projection, {"cloth.drag=0", "contact.friction=0", "restitution=1", "dt=1e-3"}), "speed");
 }
 
 TEST(LabCombinations, WritesARowACombination) {

@@ -8,7 +8,6 @@
 #include "drape/contact/search_audit.h"
 #include "drape/integrate/stability.h"
 #include "drape/scene/scene.h"
-#include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
@@ -16,159 +15,123 @@
 namespace drape {
 namespace {
 
-/// What a run may have: the thickness of the cloth of `drop` [m], a height [m], a speed [m/s].
-constexpr double most_penetration = 0.002, most_energy_gain = 0.05, most_speed = 0.45;
-
 /// Short enough for the method, and for a penalty's own limit.
-double step_of(const Combination& combination) {
-    if (combination.integrator == IntegratorKind::ExplicitEuler) return 2e-4;
-    if (combination.response == ResponseKind::Penalty) return 2.5e-4;
-    return has_step_limit(combination.integrator) ? 5e-4 : 2.5e-3;
+double step_of(IntegratorKind integrator, ResponseKind response) {
+    if (integrator == IntegratorKind::ExplicitEuler) return 2e-4;
+    if (response == ResponseKind::Penalty) return 2.5e-4;
+    return has_step_limit(integrator) ? 5e-4 : 2.5e-3;
 }
-
-Settings combined_settings(const Combination& combination, const SearchTree& tree,
-                           const std::vector<std::string>& changes) {
-    Settings settings = load_scene("drop");
-    ClothParameters& cloth = settings.cloths[0];
-    cloth.particles = {10, 10};
-    cloth.structural = {200, Real(0.05)};  // damped enough for explicit Euler
-    settings.solver.integrator = combination.integrator;
-    settings.solver.dt = step_of(combination);
-    settings.contact.response = combination.response;
-    settings.contact.self = false;
-    settings.contact.continuous = combination.continuous ? Continuous::Always : Continuous::Never;
-    settings.contact.volume = tree.volume;
-    settings.contact.update = tree.update;
-    settings.contact.leaf_cells = 2;
-    assign_all(settings, changes);
-    return settings;
-}
-
-/// Measures a run after its steps.
-class CombinationWatch {
-public:
-    explicit CombinationWatch(const Simulation& simulation)
-        : audit_(simulation.cloths()[0].model.grid, simulation.settings().solver.kernels) {}
-
-    void look(Simulation& simulation, CombinationRun& run) {
-        const Cloth& cloth = simulation.cloths()[0];
-        const ClothModel& model = cloth.model;
-        const Settings& settings = simulation.settings();
-        const Real depth = audit_.penetration(cloth.state.x, simulation.balls(), settings.contact.thickness);
-        const Real sunk = settings.ground.height + settings.contact.thickness - cloth.state.x.col(1).minCoeff();
-        run.penetration = std::max(run.penetration, static_cast<double>(std::max(depth, sunk)));
-        const StepReport& report = *simulation.view().report;
-        run.touched += report.contacts > 0 ? 1 : 0;
-        run.speed = report.rms_speed;
-        const auto weight = static_cast<double>(model.particle_mass * model.gravity.norm()) * model.grid.particles();
-        const double lift = (report.energy.kinetic + report.energy.gravity + report.energy.spring) / weight;
-        least_ = std::min(least_, lift);
-        run.energy_gain = std::max(run.energy_gain, lift - least_);
-    }
-
-private:
-    SearchAudit audit_;
-    double least_ = std::numeric_limits<double>::infinity();
-};
-
-/// A kind of flaw, and the runs that have it.
-struct RunFlaw {
-    const char* name;
-    bool (*has)(const CombinationRun& run);
-};
-
-constexpr RunFlaw flaws[] = {
-    {"diverged", [](const CombinationRun& run) { return run.diverged; }},
-    {"no_contact", [](const CombinationRun& run) { return run.touched == 0; }},
-    {"penetration", [](const CombinationRun& run) { return !(run.penetration <= most_penetration); }},
-    {"energy", [](const CombinationRun& run) { return !(run.energy_gain <= most_energy_gain); }},
-    {"speed", [](const CombinationRun& run) { return !(run.speed <= most_speed); }},
-};
 
 }  // namespace
 
-std::vector<Combination> all_combinations() {
-    std::vector<Combination> all;
+std::vector<Settings> all_combinations() {
+    Settings settings = load_scene("drop");
+    settings.cloths[0].particles = {10, 10};
+    settings.cloths[0].structural = {200, Real(0.05)};  // damped enough for explicit Euler
+    settings.contact.self = false;
+    settings.contact.volume = VolumeKind::Brute;
+    settings.contact.update = UpdateKind::Rebuild;
+    settings.contact.leaf_cells = 2;
+    std::vector<Settings> all;
     for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
         for (const ResponseKind response : values_of<ResponseKind>()) {
-            for (const bool continuous : {false, true}) all.push_back({integrator, response, continuous});
+            for (const Continuous continuous : {Continuous::Never, Continuous::Always}) {
+                settings.solver.integrator = integrator;
+                settings.solver.dt = step_of(integrator, response);
+                settings.contact.response = response;
+                settings.contact.continuous = continuous;
+                all.push_back(settings);
+            }
         }
     }
     return all;
 }
 
-std::vector<SearchTree> all_trees() {
-    std::vector<SearchTree> all;
+std::vector<Settings> with_all_trees(const Settings& combination) {
+    std::vector<Settings> all;
     for (const VolumeKind volume : values_of<VolumeKind>()) {
+        if (volume == VolumeKind::Brute) continue;
         for (const UpdateKind update : values_of<UpdateKind>()) {
-            if (volume != VolumeKind::Brute) all.push_back({volume, update});
+            Settings& settings = all.emplace_back(combination);
+            settings.contact.volume = volume;
+            settings.contact.update = update;
         }
     }
     return all;
 }
 
-SearchTree sampled_tree(std::size_t number) {
+std::size_t sampled_tree(std::size_t number) {
     constexpr std::size_t updates = enum_names<UpdateKind>.size(), volumes = enum_names<VolumeKind>.size() - 1;
     // Both numbers go through all their values for one integrator, and from one integrator to the next
     const std::size_t integrator = number / 8, rest = number % 8;
-    return all_trees()[(integrator + rest) % volumes * updates + (3 * integrator + rest) % updates];
+    return (integrator + rest) % volumes * updates + (3 * integrator + rest) % updates;
 }
 
-CombinationRun run_combination(const Combination& combination, const SearchTree& tree, double seconds,
-                               const std::vector<std::string>& changes) {
-    Simulation simulation("drop", combined_settings(combination, tree, changes));
-    CombinationWatch watch(simulation);
-    CombinationRun run{.step = simulation.settings().solver.dt};
-    while (!run.diverged && simulation.report().time < seconds) {
+CombinationRun run_combination(const Settings& combination, double seconds) {
+    Simulation simulation("drop", combination);
+    const Cloth& cloth = simulation.cloths()[0];
+    const ClothModel& model = cloth.model;
+    const auto weight = static_cast<double>(model.particle_mass * model.gravity.norm()) * model.grid.particles();
+    const StepReport& report = simulation.report();
+    SearchAudit audit(model.grid, combination.solver.kernels);
+    const Real thickness = combination.contact.thickness;
+    Real penetration = 0;
+    int touched = 0;
+    double least_lift = std::numeric_limits<double>::infinity(), energy_gain = 0;
+    while (report.status != Status::Diverged && report.time < seconds) {
         simulation.step();
-        run.diverged = simulation.report().status == Status::Diverged;
-        watch.look(simulation, run);
+        const Real sunk = combination.ground.height + thickness - cloth.state.x.col(1).minCoeff();
+        penetration = std::max({penetration, audit.penetration(cloth.state.x, simulation.balls(), thickness), sunk});
+        touched += report.contacts > 0;
+        const Energy energy = simulation.view().report->energy;
+        const double lift = (energy.kinetic + energy.gravity + energy.spring) / weight;
+        least_lift = std::min(least_lift, lift);
+        energy_gain = std::max(energy_gain, lift - least_lift);
     }
-    run.hash = simulation.hash();
-    return run;
-}
-
-std::vector<std::string> run_flaws() {
-    std::vector<std::string> names{"none"};
-    for (const RunFlaw& flaw : flaws) names.emplace_back(flaw.name);
-    return names;
-}
-
-std::string flaw_of(const CombinationRun& run) {
-    const auto found = std::ranges::find_if(flaws, [&run](const RunFlaw& flaw) { return flaw.has(run); });
-    return found == std::end(flaws) ? "none" : found->name;
+    constexpr double most_gain = 0.05, most_speed = 0.45;  // m, m/s
+    const char* flaw = report.status == Status::Diverged   ? "diverged"
+                       : touched == 0                      ? "no_contact"
+                       : !(penetration <= thickness)       ? "penetration"
+                       : !(energy_gain <= most_gain)       ? "energy"
+                       : !(report.rms_speed <= most_speed) ? "speed"
+                                                           : "none";
+    const bool continuous = combination.contact.continuous == Continuous::Always;
+    return {simulation.hash(),
+            {{"integrator", combination.solver.integrator},
+             {"response", combination.contact.response},
+             {"detection", continuous ? "continuous" : "discrete"},
+             {"step_s", combination.solver.dt},
+             {"touched_steps", touched},
+             {"penetration_m", penetration},
+             {"energy_gain_m", energy_gain},
+             {"speed_m_per_s", report.rms_speed},
+             {"flaw", flaw}}};
 }
 
 namespace {
 
-/// A combination, by brute force and all of its trees.
-Rows run_trees(const Combination& combination, const std::vector<SearchTree>& trees) {
-    constexpr double simulated_seconds = 2;
-    const CombinationRun expected = run_combination(combination, {}, simulated_seconds);
-    for (const SearchTree& tree : trees) {
-        if (run_combination(combination, tree, simulated_seconds).hash == expected.hash) continue;
+/// A combination, by brute force and by trees.
+Rows run_trees(const Settings& combination, const std::vector<Settings>& trees) {
+    constexpr double seconds = 2;
+    auto [hash, row] = run_combination(combination, seconds);
+    for (const Settings& tree : trees) {
+        if (run_combination(tree, seconds).hash == hash) continue;
         throw RunError(fmt::format("combinations: {}, {}, {}: {}, {} gives other bits than brute force",
-                                   name_of(combination.integrator), name_of(combination.response),
-                                   combination.continuous ? "continuous" : "discrete", name_of(tree.volume),
-                                   name_of(tree.update)));
+                                   row.word("integrator"), row.word("response"), row.word("detection"),
+                                   name_of(tree.contact.volume), name_of(tree.contact.update)));
     }
-    return {{{"integrator", combination.integrator},
-             {"response", combination.response},
-             {"detection", combination.continuous ? "continuous" : "discrete"},
-             {"trees", trees.size()},
-             {"step_s", expected.step},
-             {"touched_steps", expected.touched},
-             {"penetration_m", expected.penetration},
-             {"energy_gain_m", expected.energy_gain},
-             {"speed_m_per_s", expected.speed},
-             {"flaw", flaw_of(expected)}}};
+    row.set("trees", trees.size());
+    return {row};
 }
 
 ExperimentCases combination_cases(bool quick) {
     ExperimentCases all;
-    for (const Combination& combination : all_combinations()) {
+    for (const Settings& combination : all_combinations()) {
         const std::size_t number = all.size();
-        all.push_back([=] { return run_trees(combination, quick ? std::vector{sampled_tree(number)} : all_trees()); });
+        all.push_back([=] {
+            const auto trees = with_all_trees(combination);
+            return run_trees(combination, quick ? std::vector{trees[sampled_tree(number)]} : trees);
+        });
     }
     return all;
 }
@@ -182,8 +145,11 @@ Experiment combinations_experiment() {
             {name_column<IntegratorKind>("integrator"), name_column<ResponseKind>("response"),
              word_column("detection", {"discrete", "continuous"}),
              whole_column("trees", 1),  // with the same bits as brute force
-             positive_column("step_s"), whole_column("touched_steps"), number_column("penetration_m"),
-             number_column("energy_gain_m"), number_column("speed_m_per_s"), word_column("flaw", run_flaws())},
+             positive_column("step_s"), whole_column("touched_steps"),
+             number_column("penetration_m"),  // largest, of any triangle in the ball or particle in the ground
+             number_column("energy_gain_m"),  // largest rise above the least so far: the height by which it would lift
+             number_column("speed_m_per_s"),  // RMS at the end
+             word_column("flaw", {"none", "diverged", "no_contact", "penetration", "energy", "speed"})},
             {{"integrator", "flaw"}, {"trees", "step_s", "penetration_m", "energy_gain_m", "speed_m_per_s"}},
             {{"", combination_cases, {}}}};
 }
