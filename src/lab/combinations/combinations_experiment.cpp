@@ -77,7 +77,7 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
     const Real thickness = combination.contact.thickness;
     Real penetration = 0;
     int touched = 0;
-    double least_lift = std::numeric_limits<double>::infinity(), energy_gain = 0;
+    double min_lift = std::numeric_limits<double>::infinity(), energy_gain = 0;
     while (report.status != Status::Diverged && report.time < seconds) {
         simulation.step();
         const Real sunk = combination.ground.height + thickness - cloth.state.x.col(1).minCoeff();
@@ -85,16 +85,16 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
         touched += report.contacts > 0;
         const Energy energy = simulation.view().report->energy;
         const double lift = (energy.kinetic + energy.gravity + energy.spring) / weight;
-        least_lift = std::min(least_lift, lift);
-        energy_gain = std::max(energy_gain, lift - least_lift);
+        min_lift = std::min(min_lift, lift);
+        energy_gain = std::max(energy_gain, lift - min_lift);
     }
-    constexpr double most_gain = 0.05, most_speed = 0.45;  // m, m/s
-    const char* flaw = report.status == Status::Diverged   ? "diverged"
-                       : touched == 0                      ? "no_contact"
-                       : !(penetration <= thickness)       ? "penetration"
-                       : !(energy_gain <= most_gain)       ? "energy"
-                       : !(report.rms_speed <= most_speed) ? "speed"
-                                                           : "none";
+    constexpr double max_gain = 0.05, max_speed = 0.45;  // m, m/s
+    const char* flaw = report.status == Status::Diverged  ? "diverged"
+                       : touched == 0                     ? "no_contact"
+                       : !(penetration <= thickness)      ? "penetration"
+                       : !(energy_gain <= max_gain)       ? "energy"
+                       : !(report.rms_speed <= max_speed) ? "speed"
+                                                          : "none";
     const bool continuous = combination.contact.continuous == Continuous::Always;
     return {simulation.hash(),
             {{"integrator", combination.solver.integrator},

@@ -2,8 +2,6 @@
 #include <cmath>
 #include <deque>
 #include <numeric>
-#include <span>
-#include <utility>
 
 #include "drape/integrate/stability.h"
 #include "drape/scene/scene.h"
@@ -12,168 +10,146 @@
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/needs/configurations.h"
-#include "rest_run.h"
 
 namespace drape {
 namespace {
 
-constexpr double safe_part = 0.9, after_sleep = 2;
+/// At which methods without a step limit run [s].
+constexpr double long_step = 1.0 / 60;
 
-/// `rms_motion` of the last half second, in the mean square.
-class RecentSpeed {
-public:
-    explicit RecentSpeed(double step)
-        : step_(step), steps_(static_cast<std::size_t>(std::max(1.0, std::round(RestWatch::duration / step)))) {}
-
-    void look(std::span<const Cloth> cloths) {
-        const double speed = rms_motion(cloths, step_);
-        squares_.push_back(speed * speed);
-        if (squares_.size() > steps_) squares_.pop_front();
-    }
-    [[nodiscard]] double rms() const {
-        return std::sqrt(std::accumulate(squares_.begin(), squares_.end(), 0.0) / static_cast<double>(squares_.size()));
-    }
-
-private:
-    double step_;
-    std::size_t steps_;
-    std::deque<double> squares_;
-};
-
-}  // namespace
-
-Settings rest_settings(const RestCase& one, int particles) {
-    Settings settings = load_scene(one.scene);
+/// A shipped scene with another integrator and response, that never sleeps. The drag on the whole cloth stays the same.
+Settings rest_settings(const char* scene, IntegratorKind integrator, ResponseKind response, bool quick) {
+    Settings settings = load_scene(scene);
+    if (quick) settings = on_grid(std::move(settings), {9, 9});
+    settings.solver.integrator = integrator;
+    settings.solver.sleep_speed = 0;
+    settings.contact.response = response;
     settings.contact.self = false;
-    if (particles > 0) settings = on_grid(std::move(settings), {particles, particles});
-    settings.solver.integrator = one.integrator;
-    settings.contact.response = one.response;
-    if (!has_step_limit(one.integrator)) settings.solver.dt = long_step;
-    const double shortest = settings.solver.dt / 64;
-    const auto is_stable = [&] {
-        return settings.solver.dt <= safe_part * Simulation(one.scene, settings).longest_step();
-    };
-    while (settings.solver.dt >= shortest && !is_stable()) settings.solver.dt /= 2;
-    if (settings.solver.dt < shortest) settings.solver.dt = 0;
     return settings;
 }
 
-Row run_to_rest(const std::string& scene, Settings settings, double seconds) {
-    SolverSettings watched = settings.solver;
-    settings.solver.sleep_speed = 0;
-    Simulation simulation(scene, std::move(settings));
-    SleepWatch watch;
-    RecentSpeed speed(watched.dt);
-    const StepReport& report = simulation.report();
-    Row row{{"step_s", watched.dt}, {"end", "awake"}};
-    for (double end = seconds; report.time < end;) {
+/// A simulation that knows how fast it has been of late.
+class RestRun {
+public:
+    RestRun(const char* scene, const Settings& settings) : simulation(scene, settings) {}
+
+    /// @return false if it has diverged
+    bool step() {
+        const double step = simulation.settings().solver.dt;
         simulation.step();
-        if (report.status == Status::Diverged) return {{"step_s", watched.dt}, {"end", "diverged"}};
-        speed.look(simulation.cloths());
-        const bool was_awake = row.word("end") == "awake";
-        if (!was_awake || !watch.look(simulation.cloths(), simulation.balls(), report.time, watched)) continue;
-        row.set({{"end", "asleep"}, {"asleep_s", report.time}, {"speed_before_m_per_s", speed.rms()}});
-        end = report.time + after_sleep;
+        const double speed = rms_motion(simulation.cloths(), step);
+        squares_.push_back(speed * speed);
+        const double steps = std::max(1.0, std::round(RestWatch::duration / step));
+        if (static_cast<double>(squares_.size()) > steps) squares_.pop_front();
+        return simulation.report().status != Status::Diverged;
     }
-    row.set("speed_after_m_per_s", speed.rms());
+
+    /// @return false if it has diverged
+    bool run_until(double time) {
+        const double end = time - simulation.settings().solver.dt / 2;
+        while (simulation.report().time < end) {
+            if (!step()) return false;
+        }
+        return true;
+    }
+
+    /// `rms_motion` of the last half second, in the mean square.
+    [[nodiscard]] double speed() const {
+        return std::sqrt(std::accumulate(squares_.begin(), squares_.end(), 0.0) / static_cast<double>(squares_.size()));
+    }
+
+    Simulation simulation;
+
+private:
+    std::deque<double> squares_;
+};
+
+/// Runs a scene until two seconds after it would have fallen asleep.
+/// @return `step_s` and `end`; unless it has diverged `speed_after_m_per_s`, in the last half second; and if it falls
+/// asleep `asleep_s`, when, and `speed_before_m_per_s`, in the half second before
+Row run_to_rest(const char* scene, const Settings& settings) {
+    RestRun run(scene, settings);
+    SleepWatch watch;
+    const SolverSettings watched = load_scene(scene).solver;
+    const double& time = run.simulation.report().time;
+    Row row{{"step_s", settings.solver.dt}, {"end", "awake"}};
+    for (double end = 15; time < end;) {
+        if (!run.step()) return {{"step_s", settings.solver.dt}, {"end", "diverged"}};
+        const bool was_awake = row.word("end") == "awake";
+        if (!was_awake || !watch.look(run.simulation.cloths(), run.simulation.balls(), time, watched)) continue;
+        row.set({{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", run.speed()}});
+        end = time + 2;
+    }
+    row.set("speed_after_m_per_s", run.speed());
     return row;
 }
 
-Row watch_drift(const std::string& scene, Settings settings, double settle, double seconds) {
-    settings.solver.sleep_speed = 0;
-    const double step = settings.solver.dt;
-    Simulation simulation(scene, std::move(settings));
-    RecentSpeed speed(step);
+/// How a scene comes to rest, at its own step under a method that has a step limit, else at `long_step`, halved until
+/// it is below nine tenths of the limits of method and penalty, to a 64th at least.
+Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
+    Row row{{"part", "rest"}, {"scene", scene}, {"response", response}, {"integrator", integrator}};
+    Settings settings = rest_settings(scene, integrator, response, quick);
+    double& step = settings.solver.dt;
+    if (!has_step_limit(integrator)) step = long_step;
+    const double shortest = step / 64;
+    while (step >= shortest && step > 0.9 * Simulation(scene, settings).longest_step()) step /= 2;
+    row.set(step >= shortest ? run_to_rest(scene, settings) : Row{{"end", "no_stable_step"}});
+    return {row};
+}
+
+/// Lets the scene `drop` come to rest at a step, and then looks once a simulated second how far its cloth has crept:
+/// `drift_m`, the farthest that any particle was from where it had come to rest.
+/// @param seconds for which it is watched
+Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool quick) {
+    constexpr double settle = 8;  // s: everything rests that is going to
+    const ResponseKind response = ResponseKind::Projection;
+    Settings settings = rest_settings("drop", integrator, response, quick);
+    settings.solver.dt = step;
+    Row row{{"part", "drift"}, {"scene", "drop"}, {"response", response}, {"integrator", integrator}};
+    row.set({{"step_s", step}, {"watched_s", seconds}, {"end", "diverged"}});
+    RestRun run("drop", settings);
+    if (!run.run_until(settle)) return {row};
+    const Points& x = run.simulation.cloths()[0].state.x;
+    const Points rest = x;
     double drift = 0;
-    const auto run_until = [&](double time) {
-        while (simulation.report().status != Status::Diverged && simulation.report().time < time - step / 2) {
-            simulation.step();
-            speed.look(simulation.cloths());
-        }
-    };
-    run_until(settle);
-    const Points rest = simulation.cloths()[0].state.x;
     for (double watched = 0; watched < seconds;) {
         watched = std::min(watched + 1, seconds);
-        run_until(settle + watched);
-        const Points moved = simulation.cloths()[0].state.x - rest;
-        drift = std::max(drift, static_cast<double>(moved.rowwise().norm().maxCoeff()));
+        if (!run.run_until(settle + watched)) return {row};
+        drift = std::max(drift, static_cast<double>((x - rest).rowwise().norm().maxCoeff()));
     }
-    if (simulation.report().status == Status::Diverged) return {{"end", "diverged"}};
-    return {{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", speed.rms()}};
-}
-
-namespace {
-
-constexpr double longest_rest_run = 15;
-constexpr int quick_particles = 9;
-
-Row row_of(const char* part, const RestCase& one) {
-    return {{"part", part}, {"scene", one.scene}, {"response", one.response}, {"integrator", one.integrator}};
-}
-
-/// How a scene by one integrator with one response comes to rest.
-Rows run_rest_case(const RestCase& one, bool quick) {
-    Row row = row_of("rest", one);
-    row.set("end", "no_stable_step");
-    const Settings settings = rest_settings(one, quick ? quick_particles : 0);
-    if (settings.solver.dt > 0) row.set(run_to_rest(one.scene, settings, longest_rest_run));
+    row.set({{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", run.speed()}});
     return {row};
 }
 
-/// One integrator at one step, watched for a time.
-struct DriftCase {
-    IntegratorKind integrator{};
-    double step = 0;     ///< [s]
-    double seconds = 0;  ///< simulated, after `settle`
-};
-
-/// After so long everything rests that is going to [s].
-constexpr double settle = 8;
-
-/// How it then creeps.
-Rows run_drift_case(const DriftCase& one, bool quick) {
-    const RestCase drop{"drop", one.integrator, ResponseKind::Projection};
-    Settings settings = rest_settings(drop, quick ? quick_particles : 0);
-    settings.solver.dt = one.step;
-    Row row = row_of("drift", drop);
-    row.set({{"step_s", one.step}, {"watched_s", one.seconds}});
-    row.set(watch_drift(drop.scene, settings, settle, one.seconds));
-    return {row};
+ExperimentCases rest_cases(bool quick) {
+    return cases_over([=](ResponseKind response, const char* scene,
+                          IntegratorKind integrator) { return run_rest_case(response, scene, integrator, quick); },
+                      quick ? std::vector{ResponseKind::Projection} : values_of<ResponseKind>(),
+                      std::vector{"drop", "trampoline"}, values_of<IntegratorKind>());
 }
 
 /// Every method by the longest of its steps, then by shorter ones, down to a tenth of a millisecond; then for ten
 /// minutes by each of these, which takes hours, and a day for the shortest.
-std::vector<DriftCase> drift_list(bool quick) {
+ExperimentCases drift_cases(bool quick) {
     constexpr double shipped = 3.125e-4, ten_minutes = 600;
-    constexpr std::pair<double, double> watches[] = {
-        {long_step, 6}, {1e-3, 4}, {1e-4, 2}, {long_step, ten_minutes}, {1e-3, ten_minutes}, {1e-4, ten_minutes}};
-    std::vector<DriftCase> all;
-    for (const auto& [step, seconds] : watches) {
+    std::vector<std::pair<double, double>> watches{{long_step, 6}, {1e-3, 4}, {1e-4, 2}};
+    if (quick) {
+        watches = {{long_step, 6.0 / 3}, {1e-3, 4.0 / 3}};
+    } else {
+        for (const double step : {long_step, 1e-3, 1e-4}) watches.emplace_back(step, ten_minutes);
+    }
+    ExperimentCases all;
+    for (const auto& watch : watches) {
         for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
             if (integrator == IntegratorKind::ExplicitEuler) continue;  // no step of it is stable there
             const double longest = has_step_limit(integrator) ? shipped : long_step;
-            if (step == long_step || step <= longest) all.push_back({integrator, std::min(step, longest), seconds});
+            if (watch.first < long_step && watch.first > longest) continue;
+            all.push_back([=, step = std::min(watch.first, longest), seconds = watch.second] {
+                return run_drift_case(integrator, step, seconds, quick);
+            });
         }
     }
-    if (quick) {
-        std::erase_if(all, [](const DriftCase& one) { return one.step < shipped || one.seconds == ten_minutes; });
-        for (DriftCase& one : all) one.seconds /= 3;
-    }
     return all;
-}
-
-ExperimentCases rest_cases(bool quick) {
-    return cases_over(
-        [=](ResponseKind response, const char* scene, IntegratorKind integrator) {
-            return run_rest_case({scene, integrator, response}, quick);
-        },
-        quick ? std::vector{ResponseKind::Projection} : values_of<ResponseKind>(), std::vector{"drop", "trampoline"},
-        values_of<IntegratorKind>());
-}
-
-ExperimentCases drift_cases(bool quick) {
-    return cases_over([=](const DriftCase& one) { return run_drift_case(one, quick); }, drift_list(quick));
 }
 
 }  // namespace
