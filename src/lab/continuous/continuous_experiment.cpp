@@ -21,21 +21,14 @@ Points flat_square(const Grid& grid, Real width) {
         return width * (static_cast<Real>(k) / static_cast<Real>(n - 1) - Real(0.5));
     };
     Points x(grid.particles(), 3);
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) x.row(grid.particle(i, j)) << along(i, grid.nx), 0, along(j, grid.ny);
-    }
+    for (int p = 0; p < grid.particles(); ++p) x.row(p) << along(p % grid.nx, grid.nx), 0, along(p / grid.nx, grid.ny);
     return x;
 }
-
-/// Where cloth was at the start of a step, and is at its end, n x 3 [m].
-struct ClothMotion {
-    const Points &before, &x;
-};
 
 /// Detection over one cloth.
 class Detector {
 public:
-    explicit Detector(const Grid& grid) : grid_(grid), tree_(make_broad_phase({.update = UpdateKind::Merge}, grid)) {
+    explicit Detector(const Grid& grid) : tree_(make_broad_phase({.update = UpdateKind::Merge}, grid)) {
         list_all_cells(grid, all_);
     }
 
@@ -43,22 +36,20 @@ public:
 
     /// Whether cloth and ball touch at the end of a step, or, with a reach, within it.
     /// @param reach by how much they may have come nearer to each other [m]
-    bool touches(const ClothMotion& cloth, const Ball& ball, Real reach) {
+    bool touches(const MovingCloth& cloth, const Ball& ball, Real reach) {
         tree_->query(grown(ball, 2 * reach), found_);
         contacts_.clear();
-        return find_contacts({grid_, cloth.before, cloth.x}, ball, {.reach = reach}, found_.cells, contacts_,
-                             Kernels::Vector) > 0;
+        return find_contacts(cloth, ball, {.reach = reach}, found_.cells, contacts_, Kernels::Vector) > 0;
     }
 
     /// Whether all cells together have as many contacts as `touches` has just found.
-    bool is_confirmed(const ClothMotion& cloth, const Ball& ball, Real reach) {
+    bool is_confirmed(const MovingCloth& cloth, const Ball& ball, Real reach) {
         expected_.clear();
-        find_contacts({grid_, cloth.before, cloth.x}, ball, {.reach = reach}, all_, expected_, Kernels::Plain);
+        find_contacts(cloth, ball, {.reach = reach}, all_, expected_, Kernels::Plain);
         return expected_.size() == contacts_.size();
     }
 
 private:
-    Grid grid_;
     std::unique_ptr<BroadPhase> tree_;
     std::vector<CellRun> all_;
     Candidates found_;
@@ -77,8 +68,7 @@ public:
     /// At a distance that is even over the ball's disc, in a direction that is even over all.
     Way past_point() {
         const Vec3 direction = anywhere();
-        Vec3 aside = direction.cross(anywhere());
-        aside.normalize();
+        const Vec3 aside = direction.cross(anywhere()).normalized();
         return {shot_radius * std::sqrt(std::abs(draw())) * aside, direction};
     }
 
@@ -97,37 +87,6 @@ private:
     std::mt19937 random_{29};
 };
 
-/// A detector whose steps are timed.
-class TimedDetector {
-public:
-    explicit TimedDetector(const Grid& grid) : detector_(grid) {}
-
-    /// @param search uses the detector, after it has been built
-    template <class Search>
-    void step(const Points& x, const Search& search) {
-        constexpr int in_a_row = 16;  // a search is shorter than what the clock takes
-        build_.push_back(cpu_time_of([&] { detector_.build(x); }));
-        search_.push_back(cpu_time_of([&] {
-                              for (int k = 0; k < in_a_row; ++k) search(detector_);
-                          }) /
-                          in_a_row);
-    }
-
-    void forget() { build_.clear(), search_.clear(); }
-
-    [[nodiscard]] Row row(const Grid& grid, const char* name) const {
-        return {{"part", "time"},
-                {"detection", name},
-                {"particles", grid.particles()},
-                {"build_s", quartiles_of(build_)},
-                {"search_s", quartiles_of(search_)}};
-    }
-
-private:
-    Detector detector_;
-    std::vector<double> build_, search_;
-};
-
 /// The part that discrete detection misses. A chord at the distance b from a ball's centre is c = 2 sqrt(R^2 - b^2)
 /// long, and is stepped over with the probability 1 - c / (2 R q), if that is positive. With b even over the disc its
 /// mean is q^2 / 3 for q <= 1 and 1 - 2 / (3 q) above. A sheet's chord is always 2 R long: 0, and 1 - 1 / q above.
@@ -144,10 +103,11 @@ Rows misses_at(const std::string& target, double q, int shots) {
     const bool point = target == "point";
     const Grid grid = point ? Grid{2, 2} : Grid{20, 20};
     const Points x = flat_square(grid, point ? shot_radius * Real(1e-4) : Real(0.2));
+    const MovingCloth cloth{grid, x, x};
     Detector detector(grid);
     detector.build(x);
     RandomWays ways;
-    int discrete_missed = 0, continuous_missed = 0;
+    double discrete_missed = 0, continuous_missed = 0;
     const Real step = 2 * shot_radius * static_cast<Real>(q);
     for (int shot = 0; shot < shots; ++shot) {
         const Way way = point ? ways.past_point() : ways.past_sheet();
@@ -155,9 +115,9 @@ Rows misses_at(const std::string& target, double q, int shots) {
         for (Real s = -2 * shot_radius - step * (1 + std::abs(ways.draw())); s < 2 * shot_radius; s += step) {
             const Vec3 moved = step * way.direction, centre = way.middle + s * way.direction + moved;
             const Ball ball{.centre = centre, .radius = shot_radius, .moved = moved};
-            discrete = discrete || detector.touches({x, x}, ball, 0);
-            continuous = detector.touches({x, x}, ball, step) || continuous;
-            if (!detector.is_confirmed({x, x}, ball, step)) throw RunError("continuous: a tree misses a contact");
+            discrete = discrete || detector.touches(cloth, ball, 0);
+            continuous = detector.touches(cloth, ball, step) || continuous;
+            if (!detector.is_confirmed(cloth, ball, step)) throw RunError("continuous: a tree misses a contact");
         }
         discrete_missed += !discrete;
         continuous_missed += !continuous;
@@ -166,8 +126,8 @@ Rows misses_at(const std::string& target, double q, int shots) {
              {"target", target},
              {"q", q},
              {"shots", shots},
-             {"discrete_missed", static_cast<double>(discrete_missed) / shots},
-             {"continuous_missed", static_cast<double>(continuous_missed) / shots},
+             {"discrete_missed", discrete_missed / shots},
+             {"continuous_missed", continuous_missed / shots},
              {"predicted", predicted_misses(point, q)}}};
 }
 
@@ -176,7 +136,12 @@ Rows misses_at(const std::string& target, double q, int shots) {
 Rows times_of(int side, int steps) {
     const Grid grid{side, side};
     Points from = flat_square(grid, 1), to = from;
-    TimedDetector discrete(grid), continuous(grid);
+    struct TimedDetector {
+        bool continuous;
+        Detector detector;
+        std::vector<double> build = {}, search = {};
+    };
+    TimedDetector timed[] = {{false, Detector(grid)}, {true, Detector(grid)}};
     RandomWays ways;
     const Real radius = Real(0.05), path = Real(10) / 60;
     for (int step = -2; step < steps; ++step) {
@@ -187,13 +152,30 @@ Rows times_of(int side, int steps) {
         const Vec3 start = way.middle + path * (std::abs(ways.draw()) - 1) * way.direction;
         const Vec3 moved = path * way.direction;
         const Ball ball{.centre = start + moved, .radius = radius, .moved = moved};
-        discrete.step(to, [&](Detector& detector) { detector.touches({to, to}, ball, 0); });
-        continuous.step(to, [&](Detector& detector) {
-            detector.touches({from, to}, ball, largest_displacement(to, from, Kernels::Vector) + path);
-        });
-        if (step < 0) discrete.forget(), continuous.forget();  // they have warmed the caches
+        for (TimedDetector& one : timed) {
+            const auto search = [&] {
+                const Real reach = one.continuous ? largest_displacement(to, from, Kernels::Vector) + path : 0;
+                one.detector.touches({grid, one.continuous ? from : to, to}, ball, reach);
+            };
+            constexpr int in_a_row = 16;  // a search is shorter than what the clock takes
+            const double build = cpu_time_of([&] { one.detector.build(to); });
+            const double searches = cpu_time_of([&] {
+                for (int k = 0; k < in_a_row; ++k) search();
+            });
+            if (step < 0) continue;  // it has warmed the caches
+            one.build.push_back(build);
+            one.search.push_back(searches / in_a_row);
+        }
     }
-    return {discrete.row(grid, "discrete"), continuous.row(grid, "continuous")};
+    Rows rows;
+    for (const TimedDetector& one : timed) {
+        rows.push_back({{"part", "time"},
+                        {"detection", one.continuous ? "continuous" : "discrete"},
+                        {"particles", grid.particles()},
+                        {"build_s", quartiles_of(one.build)},
+                        {"search_s", quartiles_of(one.search)}});
+    }
+    return rows;
 }
 
 ExperimentCases miss_cases(bool quick) {
