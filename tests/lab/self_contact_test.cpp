@@ -15,17 +15,17 @@ using test::LabFolder;
 using test::LabRun;
 using ::testing::HasSubstr;
 
-TEST(SelfContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
+TEST(ContactTrialOfSheets, DoesWhatTheSimulationDoesToTheSameBits) {
     ContactScene scene = throw_sheet(4, Real(0.004));
     scene.settings.world.gravity = WorldSettings{}.gravity;
     scene.settings.solver.integrator = IntegratorKind::SymplecticEuler;
     scene.settings.solver.dt = 5e-4;
     Simulation simulation("thrown", scene.settings, scene.start);
-    SelfContactTrial trial(scene, FailSafe::Zones);
+    ContactTrial trial(scene.settings, scene.start);
     std::int64_t pairs = 0;
     for (int step = 0; step < 120; ++step) {
         simulation.step();
-        const SelfContactCounts done = trial.step(static_cast<Real>(scene.settings.solver.dt));
+        const SelfContactCounts done = make_step(trial, FailSafe::Zones, static_cast<Real>(scene.settings.solver.dt));
         const StepReport& report = simulation.report();
         ASSERT_EQ(report.substeps, 1);
         ASSERT_EQ(done.at("pair_tests"), report.between_cloths.volume_tests + report.listed_pairs) << step;

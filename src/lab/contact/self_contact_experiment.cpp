@@ -17,9 +17,6 @@
 namespace drape {
 namespace {
 
-/// A step that is rejected this often is left as it is: its parts are a thousandth of it.
-constexpr int most_halvings = 10;
-
 constexpr double right_angle = std::numbers::pi / 2;
 
 /// Waved along both axes, by amplitudes at which it nearly keeps its rest lengths.
@@ -38,21 +35,29 @@ void turn(Points& x, const Vec3& axis, Real angle) {
     x = ((x.rowwise() - middle) * rotation.transpose()).rowwise() + middle;
 }
 
-/// Both sheets with themselves and with each other, as boxed cloths, and all of their cells.
-template <class Visit>
-void for_each_two_sheets(std::span<const Cloth> cloths, Real reach, const Visit& visit) {
-    const Grid& grid = cloths[0].model.grid;
-    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), reach);
-    std::array<CellBoxes, 2> boxes;
-    std::vector<BoxedCloth> sheets;
-    for (std::size_t s = 0; s < boxes.size(); ++s) {
-        boxes[s].build(grid, cloths[s].state.x, reaches);
-        sheets.push_back({{static_cast<int>(s), cloths[s].model.grid, cloths[s].state.x}, boxes[s], reaches});
+/// Makes a step, or takes it back and makes it in two halves. What is made again starts with no pushes: those of the
+/// try are not what the halves need.
+void make(ContactTrial& sheets, FailSafe fail_safe, Real h, int halvings_left, SelfContactCounts& counts) {
+    const std::array start{sheets.cloths[0].state, sheets.cloths[1].state};
+    const bool rejects = fail_safe == FailSafe::Rejection;
+    sheets.advance(h);
+    sheets.stage.solve(sheets.report);
+    if (fail_safe == FailSafe::Zones) sheets.stage.prevent_crossing(sheets.report);
+    const bool would_cross = rejects && sheets.stage.would_cross();
+    sheets.stage.end();
+    const SelfSearchReport& search = sheets.stage.self().report();
+    counts["held_back"] += sheets.report.failsafe_particles;
+    counts["pair_tests"] += search.traversal.volume_tests + search.listed;
+    if (!would_cross && !search.gave_up) return;
+    if (!rejects || halvings_left == 0) {
+        if (search.gave_up) counts["unsearched_steps"] = 1;
+        if (rejects) counts["unsafe_steps"] = 1;
+        return;
     }
-    const LeafPair all{all_cells(grid), all_cells(grid)};
-    visit(sheets[0], sheets[0], std::span(&all, 1));
-    visit(sheets[0], sheets[1], std::span(&all, 1));
-    visit(sheets[1], sheets[1], std::span(&all, 1));
+    for (std::size_t s = 0; s < start.size(); ++s) sheets.cloths[s].state = start[s];
+    sheets.stage.clear();
+    ++counts["rejected"];
+    for (int half = 0; half < 2; ++half) make(sheets, fail_safe, h / 2, halvings_left - 1, counts);
 }
 
 }  // namespace
@@ -85,56 +90,42 @@ ContactScene throw_sheet(Real speed, Real thickness) {
     return scene;
 }
 
-SelfContactCounts SelfContactTrial::step(Real h) {
-    counts_ = {{"pair_tests", 0}, {"held_back", 0}, {"rejected", 0}, {"unsearched_steps", 0}, {"unsafe_steps", 0}};
-    make(h, fail_safe_ == FailSafe::Rejection ? most_halvings : 0);
-    return counts_;
+SelfContactCounts make_step(ContactTrial& sheets, FailSafe fail_safe, Real h) {
+    constexpr int most_halvings = 10;  // to a thousandth: a part that is still rejected is left as it is
+    SelfContactCounts counts{
+        {"pair_tests", 0}, {"held_back", 0}, {"rejected", 0}, {"unsearched_steps", 0}, {"unsafe_steps", 0}};
+    make(sheets, fail_safe, h, most_halvings, counts);
+    return counts;
 }
 
-/// Makes a step, or takes it back and makes it in two halves. What is made again starts with no pushes: those of the
-/// try are not what the halves need.
-void SelfContactTrial::make(Real h, int halvings_left) {
-    const std::array start{cloths[0].state, cloths[1].state};
-    const bool rejects = fail_safe_ == FailSafe::Rejection;
-    advance(h);
-    stage.solve(report);
-    if (fail_safe_ == FailSafe::Zones) stage.prevent_crossing(report);
-    const bool would_cross = rejects && stage.would_cross();
-    stage.end();
-    const SelfSearchReport& search = stage.self().report();
-    counts_["held_back"] += report.failsafe_particles;
-    counts_["pair_tests"] += search.traversal.volume_tests + search.listed;
-    if (!would_cross && !search.gave_up) return;
-    if (halvings_left == 0) {
-        if (search.gave_up) counts_["unsearched_steps"] = 1;
-        if (rejects) counts_["unsafe_steps"] = 1;
-        return;
+SheetMeeting meeting_of(const ContactTrial& sheets) {
+    const Grid& grid = sheets.cloths[0].model.grid;
+    const Real thickness = response_of(sheets.settings).pair_thickness;
+    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), thickness / 2);
+    std::array<CellBoxes, 2> boxes;
+    std::vector<BoxedCloth> boxed;
+    for (std::size_t s = 0; s < boxes.size(); ++s) {
+        const Points& x = sheets.cloths[s].state.x;
+        boxes[s].build(grid, x, reaches);
+        boxed.push_back({{static_cast<int>(s), grid, x}, boxes[s], reaches});
     }
-    for (std::size_t s = 0; s < start.size(); ++s) cloths[s].state = start[s];
-    stage.clear();
-    ++counts_["rejected"];
-    for (int half = 0; half < 2; ++half) make(h / 2, halvings_left - 1);
-}
-
-std::int64_t SelfContactTrial::crossings() const {
-    std::int64_t count = 0;
-    for_each_two_sheets(cloths, 0, [&](const auto&... pair) { count += count_crossings(pair...); });
-    return count;
+    SheetMeeting meeting;
+    std::vector<NearPair> pairs;
+    const LeafPair all[] = {{all_cells(grid), all_cells(grid)}};
+    for (std::size_t a = 0; a < boxed.size(); ++a) {
+        for (std::size_t b = a; b < boxed.size(); ++b) {
+            meeting.crossings += count_crossings(boxed[a], boxed[b], all);
+            find_near_pairs(boxed[a], boxed[b], all, pairs);
+        }
+    }
+    for (const NearPair& pair : pairs) meeting.penetration = std::max(meeting.penetration, thickness - pair.distance);
+    if (meeting.crossings > 0) meeting.penetration = sheets.settings.contact.thickness;
+    return meeting;
 }
 
 namespace {
 
 constexpr double sheet_seconds = 0.1;
-
-/// By how much two features that share no particle are nearer than the thickness, at most [m].
-Real penetration_of(const SelfContactTrial& trial) {
-    std::vector<NearPair> pairs;
-    const Real thickness = response_of(trial.settings).pair_thickness;
-    for_each_two_sheets(trial.cloths, thickness / 2, [&](const auto&... pair) { find_near_pairs(pair..., pairs); });
-    Real nearest = thickness;
-    for (const NearPair& pair : pairs) nearest = std::min(nearest, pair.distance);
-    return thickness - nearest;
-}
 
 /// What one run saw.
 struct SelfContactRun {
@@ -143,38 +134,38 @@ struct SelfContactRun {
 };
 
 SelfContactRun watch_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
-    SelfContactTrial trial(scene, fail_safe);
-    const Vec3 first = trial.momentum(0), both = first + trial.momentum(1);
+    ContactTrial sheets(scene.settings, scene.start);
+    const Vec3 first = sheets.momentum(0), both = first + sheets.momentum(1);
     const auto steps = std::llround(sheet_seconds / step);
-    std::int64_t crossings = 0;
-    Real penetration = 0;  // the thickness, where cloth crosses cloth
-    std::map<std::string, double> means;
     const double share = 1 / static_cast<double>(steps);
+    SheetMeeting meeting;
+    Real penetration = 0;
+    std::map<std::string, double> means;
     for (std::int64_t k = 0; k < steps; ++k) {
-        SelfContactCounts counts = trial.step(static_cast<Real>(step));
-        crossings = trial.crossings();
-        counts["crossed_steps"] = crossings > 0;
+        SelfContactCounts counts = make_step(sheets, fail_safe, static_cast<Real>(step));
+        meeting = meeting_of(sheets);
+        counts["crossed_steps"] = meeting.crossings > 0;
         for (const auto& [column, count] : counts) means[column] += share * static_cast<double>(count);
-        penetration = std::max(penetration, crossings > 0 ? scene.settings.contact.thickness : penetration_of(trial));
+        penetration = std::max(penetration, meeting.penetration);
     }
     Row row{{"thickness_m", scene.settings.contact.thickness},
             {"step_s", step},
             {"fail_safe", fail_safe},
-            {"crossings", crossings},
+            {"crossings", meeting.crossings},
             {"penetration_m", penetration},
-            {"momentum_change", (trial.momentum(0) + trial.momentum(1) - both).norm() / both.norm()}};
+            {"momentum_change", (sheets.momentum(0) + sheets.momentum(1) - both).norm() / both.norm()}};
     for (const auto& [column, mean] : means) row.set(column, mean);
-    return {row, first - trial.momentum(0)};
+    return {row, first - sheets.momentum(0)};
 }
 
 /// CPU time for a simulated second, without an observer.
 double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
-    SelfContactTrial trial(scene, fail_safe);
-    return cpu_time_of([&] {
-               for (auto left = std::llround(sheet_seconds / step); left > 0; --left)
-                   trial.step(static_cast<Real>(step));
-           }) /
-           sheet_seconds;
+    ContactTrial sheets(scene.settings, scene.start);
+    const auto steps = std::llround(sheet_seconds / step);
+    const double seconds = cpu_time_of([&] {
+        for (std::int64_t k = 0; k < steps; ++k) make_step(sheets, fail_safe, static_cast<Real>(step));
+    });
+    return seconds / sheet_seconds;
 }
 
 /// The runs of a thickness, those of each step timed in turn.

@@ -36,24 +36,16 @@ inline constexpr auto enum_names<FailSafe> = all_names<FailSafe>("zones", "rejec
 /// `unsearched_steps` if the search gave up, as `unsafe_steps` if a part would still cross after the most halvings.
 using SelfContactCounts = std::map<std::string, std::int64_t>;
 
-/// A trial of two cloths, which may have another fail-safe than a simulation or none.
-class SelfContactTrial : public ContactTrial {
-public:
-    SelfContactTrial(const ContactScene& scene, FailSafe fail_safe)
-        : ContactTrial(scene.settings, scene.start), fail_safe_(fail_safe) {}
+/// Makes a step of a trial, which may have another fail-safe than a simulation or none.
+/// @param h [s]
+SelfContactCounts make_step(ContactTrial& sheets, FailSafe fail_safe, Real h);
 
-    /// Makes a step of that length [s], with what then touches and the fail-safe.
-    SelfContactCounts step(Real h);
-
-    /// How many edges cross triangles that they share no particle with, in a sheet or between both: by every pair of
-    /// cells, so that no search is trusted.
-    [[nodiscard]] std::int64_t crossings() const;
-
-private:
-    void make(Real h, int halvings_left);
-
-    FailSafe fail_safe_;
-    SelfContactCounts counts_;  ///< of the last step
+/// How two sheets meet themselves and each other, by every pair of cells, so that no search is trusted.
+struct SheetMeeting {
+    std::int64_t crossings = 0;  ///< of edges through triangles that they share no particle with
+    Real penetration = 0;  ///< by which features that share no particle are nearer than the thickness, at most; all of
+                           ///< it where cloth crosses cloth [m]
 };
+SheetMeeting meeting_of(const ContactTrial& sheets);
 
 }  // namespace drape
