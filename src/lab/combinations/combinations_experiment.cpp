@@ -22,6 +22,32 @@ double step_of(IntegratorKind integrator, ResponseKind response) {
     return has_step_limit(integrator) ? 5e-4 : 2.5e-3;
 }
 
+/// A combination, by brute force and by trees.
+Rows run_trees(const Settings& combination, const std::vector<Settings>& trees) {
+    constexpr double seconds = 2;
+    auto [hash, row] = run_combination(combination, seconds);
+    for (const Settings& tree : trees) {
+        if (run_combination(tree, seconds).hash == hash) continue;
+        throw RunError(fmt::format("combinations: {}, {}, {}: {}, {} gives other bits than brute force",
+                                   row.word("integrator"), row.word("response"), row.word("detection"),
+                                   name_of(tree.contact.volume), name_of(tree.contact.update)));
+    }
+    row.set("trees", trees.size());
+    return {row};
+}
+
+ExperimentCases combination_cases(bool quick) {
+    ExperimentCases all;
+    for (const Settings& combination : all_combinations()) {
+        const std::size_t number = all.size();
+        all.push_back([=] {
+            const auto trees = with_all_trees(combination);
+            return run_trees(combination, quick ? std::vector{trees[sampled_tree(number)]} : trees);
+        });
+    }
+    return all;
+}
+
 }  // namespace
 
 std::vector<Settings> all_combinations() {
@@ -107,36 +133,6 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
              {"speed_m_per_s", report.rms_speed},
              {"flaw", flaw}}};
 }
-
-namespace {
-
-/// A combination, by brute force and by trees.
-Rows run_trees(const Settings& combination, const std::vector<Settings>& trees) {
-    constexpr double seconds = 2;
-    auto [hash, row] = run_combination(combination, seconds);
-    for (const Settings& tree : trees) {
-        if (run_combination(tree, seconds).hash == hash) continue;
-        throw RunError(fmt::format("combinations: {}, {}, {}: {}, {} gives other bits than brute force",
-                                   row.word("integrator"), row.word("response"), row.word("detection"),
-                                   name_of(tree.contact.volume), name_of(tree.contact.update)));
-    }
-    row.set("trees", trees.size());
-    return {row};
-}
-
-ExperimentCases combination_cases(bool quick) {
-    ExperimentCases all;
-    for (const Settings& combination : all_combinations()) {
-        const std::size_t number = all.size();
-        all.push_back([=] {
-            const auto trees = with_all_trees(combination);
-            return run_trees(combination, quick ? std::vector{trees[sampled_tree(number)]} : trees);
-        });
-    }
-    return all;
-}
-
-}  // namespace
 
 Experiment combinations_experiment() {
     return {"combinations",

@@ -55,8 +55,8 @@ bool touches_front(const ContactTrial& trial, int triangle) {
     const Ball& ball = trial.balls[0];
     const Real thickness = trial.settings.contact.thickness;
     const bool looked_back = cloth.search.looked_back(ball, thickness);
-    const Vec3 moved = looked_back ? ball.moved : Vec3(0, 0, 0), start = ball.centre - moved;
-    const Points &x = trial.unpushed, &before = moved.isZero(0) ? x : cloth.previous.x;
+    const Vec3 start = looked_back ? Vec3(ball.centre - ball.moved) : ball.centre;
+    const Points &x = trial.unpushed, &before = looked_back ? cloth.previous.x : x;
     const auto [a, b, c] = cloth.model.grid.triangle_corners(triangle);
     const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
     const ClosestPoint closest = closest_point_on_triangle(start, at(before, a), at(before, b), at(before, c));

@@ -60,71 +60,6 @@ void make(ContactTrial& sheets, FailSafe fail_safe, Real h, int halvings_left, S
     for (int half = 0; half < 2; ++half) make(sheets, fail_safe, h / 2, halvings_left - 1, counts);
 }
 
-}  // namespace
-
-ContactScene throw_sheet(Real speed, Real thickness) {
-    ContactScene scene;
-    Settings& settings = scene.settings;
-    std::vector<ClothState>& start = scene.start.states;
-    settings.cloths.clear();
-    settings.world.gravity = 0;
-    // So far that waves and turns leave a gap, and beside each other so that edges meet the inside
-    for (const Vec3& centre : {Vec3(Real(0.22), Real(0.12), Real(0.31)), Vec3(0, 0, 0)}) {
-        settings.cloths.push_back({.particles = {25, 25},
-                                   .place = centre,
-                                   .centred = true,
-                                   .pinned = {},
-                                   .structural = {400, Real(0.02)},
-                                   .shear = {200, Real(0.02)},
-                                   .bend = {5, Real(0.01)},
-                                   .drag = 0});
-        start.push_back(make_rest_state(settings.cloths.back()));
-    }
-    wave(start[0].x);
-    turn(start[0].x, Vec3(Real(0.12), 1, Real(0.08)), Real(0.5));
-    start[0].v.rowwise() = Vec3(speed / 8, -speed, speed / 16).transpose();
-    settings.contact.self = true;
-    settings.contact.thickness = thickness;
-    settings.solver.integrator = IntegratorKind::BackwardEuler;
-    settings.solver.tolerance = Real(1e-6);  // what a solve leaves is no momentum that contact has lost
-    return scene;
-}
-
-SelfContactCounts make_step(ContactTrial& sheets, FailSafe fail_safe, Real h) {
-    constexpr int most_halvings = 10;  // to a thousandth: a part that is still rejected is left as it is
-    SelfContactCounts counts{
-        {"pair_tests", 0}, {"held_back", 0}, {"rejected", 0}, {"unsearched_steps", 0}, {"unsafe_steps", 0}};
-    make(sheets, fail_safe, h, most_halvings, counts);
-    return counts;
-}
-
-SheetMeeting meeting_of(const ContactTrial& sheets) {
-    const Grid& grid = sheets.cloths[0].model.grid;
-    const Real thickness = response_of(sheets.settings).pair_thickness;
-    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), thickness / 2);
-    std::array<CellBoxes, 2> boxes;
-    std::vector<BoxedCloth> boxed;
-    for (std::size_t s = 0; s < boxes.size(); ++s) {
-        const Points& x = sheets.cloths[s].state.x;
-        boxes[s].build(grid, x, reaches);
-        boxed.push_back({{static_cast<int>(s), grid, x}, boxes[s], reaches});
-    }
-    SheetMeeting meeting;
-    std::vector<NearPair> pairs;
-    const LeafPair all[] = {{all_cells(grid), all_cells(grid)}};
-    for (std::size_t a = 0; a < boxed.size(); ++a) {
-        for (std::size_t b = a; b < boxed.size(); ++b) {
-            meeting.crossings += count_crossings(boxed[a], boxed[b], all);
-            find_near_pairs(boxed[a], boxed[b], all, pairs);
-        }
-    }
-    for (const NearPair& pair : pairs) meeting.penetration = std::max(meeting.penetration, thickness - pair.distance);
-    if (meeting.crossings > 0) meeting.penetration = sheets.settings.contact.thickness;
-    return meeting;
-}
-
-namespace {
-
 constexpr double sheet_seconds = 0.1;
 
 /// What one run saw.
@@ -211,6 +146,67 @@ std::vector<Chart> self_contact_charts(const Rows& rows) {
 }
 
 }  // namespace
+
+ContactScene throw_sheet(Real speed, Real thickness) {
+    ContactScene scene;
+    Settings& settings = scene.settings;
+    std::vector<ClothState>& start = scene.start.states;
+    settings.cloths.clear();
+    settings.world.gravity = 0;
+    // So far that waves and turns leave a gap, and beside each other so that edges meet the inside
+    for (const Vec3& centre : {Vec3(Real(0.22), Real(0.12), Real(0.31)), Vec3(0, 0, 0)}) {
+        settings.cloths.push_back({.particles = {25, 25},
+                                   .place = centre,
+                                   .centred = true,
+                                   .pinned = {},
+                                   .structural = {400, Real(0.02)},
+                                   .shear = {200, Real(0.02)},
+                                   .bend = {5, Real(0.01)},
+                                   .drag = 0});
+        start.push_back(make_rest_state(settings.cloths.back()));
+    }
+    wave(start[0].x);
+    turn(start[0].x, Vec3(Real(0.12), 1, Real(0.08)), Real(0.5));
+    start[0].v.rowwise() = Vec3(speed / 8, -speed, speed / 16).transpose();
+    settings.contact.self = true;
+    settings.contact.thickness = thickness;
+    settings.solver.integrator = IntegratorKind::BackwardEuler;
+    settings.solver.tolerance = Real(1e-6);  // what a solve leaves is no momentum that contact has lost
+    return scene;
+}
+
+SelfContactCounts make_step(ContactTrial& sheets, FailSafe fail_safe, Real h) {
+    constexpr int most_halvings = 10;  // to a thousandth: a part that is still rejected is left as it is
+    SelfContactCounts counts{
+        {"pair_tests", 0}, {"held_back", 0}, {"rejected", 0}, {"unsearched_steps", 0}, {"unsafe_steps", 0}};
+    make(sheets, fail_safe, h, most_halvings, counts);
+    return counts;
+}
+
+SheetMeeting meeting_of(const ContactTrial& sheets) {
+    const Grid& grid = sheets.cloths[0].model.grid;
+    const Real thickness = response_of(sheets.settings).pair_thickness;
+    const std::vector<Real> reaches(static_cast<std::size_t>(grid.particles()), thickness / 2);
+    std::array<CellBoxes, 2> boxes;
+    std::vector<BoxedCloth> boxed;
+    for (std::size_t s = 0; s < boxes.size(); ++s) {
+        const Points& x = sheets.cloths[s].state.x;
+        boxes[s].build(grid, x, reaches);
+        boxed.push_back({{static_cast<int>(s), grid, x}, boxes[s], reaches});
+    }
+    SheetMeeting meeting;
+    std::vector<NearPair> pairs;
+    const LeafPair all[] = {{all_cells(grid), all_cells(grid)}};
+    for (std::size_t a = 0; a < boxed.size(); ++a) {
+        for (std::size_t b = a; b < boxed.size(); ++b) {
+            meeting.crossings += count_crossings(boxed[a], boxed[b], all);
+            find_near_pairs(boxed[a], boxed[b], all, pairs);
+        }
+    }
+    for (const NearPair& pair : pairs) meeting.penetration = std::max(meeting.penetration, thickness - pair.distance);
+    if (meeting.crossings > 0) meeting.penetration = sheets.settings.contact.thickness;
+    return meeting;
+}
 
 Experiment self_contact_experiment() {
     return {"self_contact",

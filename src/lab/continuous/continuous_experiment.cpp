@@ -16,12 +16,10 @@ namespace {
 constexpr Real shot_radius = Real(0.01);
 
 /// A square about the origin at right angles to y.
-Points flat_square(const Grid& grid, Real width) {
-    const auto along = [width](int k, int n) {
-        return width * (static_cast<Real>(k) / static_cast<Real>(n - 1) - Real(0.5));
-    };
-    Points x(grid.particles(), 3);
-    for (int p = 0; p < grid.particles(); ++p) x.row(p) << along(p % grid.nx, grid.nx), 0, along(p / grid.nx, grid.ny);
+Points flat_square(int side, Real width) {
+    const auto along = [=](int k) { return width * (static_cast<Real>(k) / static_cast<Real>(side - 1) - Real(0.5)); };
+    Points x(side * side, 3);
+    for (int p = 0; p < side * side; ++p) x.row(p) << along(p % side), 0, along(p / side);
     return x;
 }
 
@@ -102,7 +100,7 @@ double predicted_misses(bool point, double q) {
 Rows misses_at(const std::string& target, double q, int shots) {
     const bool point = target == "point";
     const Grid grid = point ? Grid{2, 2} : Grid{20, 20};
-    const Points x = flat_square(grid, point ? shot_radius * Real(1e-4) : Real(0.2));
+    const Points x = flat_square(grid.nx, point ? shot_radius * Real(1e-4) : Real(0.2));
     const MovingCloth cloth{grid, x, x};
     Detector detector(grid);
     detector.build(x);
@@ -135,7 +133,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
 /// @param side particles along each side of the sheet
 Rows times_of(int side, int steps) {
     const Grid grid{side, side};
-    Points from = flat_square(grid, 1), to = from;
+    Points from = flat_square(side, 1), to = from;
     struct TimedDetector {
         bool continuous;
         Detector detector;

@@ -32,6 +32,45 @@ Settings sheet_above_ground(ResponseKind response, IntegratorKind integrator, Re
     return settings;
 }
 
+Rows run_at_step(ResponseKind kind, double rate) {
+    Row row{{"part", "step"}, {"response", kind}, {"step_s", 1 / rate}};
+    row.set(drop_sheet(kind, static_cast<Real>(1 / rate)));
+    row.set(lay_on_slope(kind, static_cast<Real>(1 / rate)));
+    return {row};
+}
+
+Rows run_limit(double stiffness, double restitution) {
+    Row row{{"part", "limit"}, {"response", ResponseKind::Penalty}};
+    row.set({{"stiffness_N_per_m", stiffness}, {"restitution", restitution}});
+    row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
+    return {row};
+}
+
+ExperimentCases step_cases(bool quick) {
+    return cases_over(run_at_step, values_of<ResponseKind>(),
+                      quick ? std::vector{60.0, 240.0, 960.0, 3840.0}
+                            : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0, 15360.0});
+}
+
+ExperimentCases limit_cases(bool quick) {
+    return cases_over(run_limit, quick ? std::vector{1e2, 1e3} : std::vector{1e1, 1e2, 1e3, 1e4, 1e5},
+                      std::vector{0.0, 0.5, 1.0});
+}
+
+std::vector<Chart> step_charts(const Rows& rows) {
+    return {{"responses",
+             "A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height "
+             "to which it bounces; and how fast a sheet drifts that should stick to a slope.",
+             {{"responses", in_words(words_of(rows, "response"))}}}};
+}
+
+std::vector<Chart> limit_charts(const Rows&) {
+    return {{"responses_limit",
+             "The longest step at which a penalty does not throw off a sheet that rests on it, against its stiffness: "
+             "lines as predicted, points as measured.",
+             {}}};
+}
+
 }  // namespace
 
 Row drop_sheet(ResponseKind kind, Real step) {
@@ -106,49 +145,6 @@ Row find_penalty_limit(Real stiffness, Real restitution, IntegratorKind integrat
     }
     return {{"predicted_step_s", predicted}, {"measured_step_s", std::sqrt(low * high)}};
 }
-
-namespace {
-
-Rows run_at_step(ResponseKind kind, double rate) {
-    Row row{{"part", "step"}, {"response", kind}, {"step_s", 1 / rate}};
-    row.set(drop_sheet(kind, static_cast<Real>(1 / rate)));
-    row.set(lay_on_slope(kind, static_cast<Real>(1 / rate)));
-    return {row};
-}
-
-Rows run_limit(double stiffness, double restitution) {
-    Row row{{"part", "limit"}, {"response", ResponseKind::Penalty}};
-    row.set({{"stiffness_N_per_m", stiffness}, {"restitution", restitution}});
-    row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
-    return {row};
-}
-
-ExperimentCases step_cases(bool quick) {
-    return cases_over(run_at_step, values_of<ResponseKind>(),
-                      quick ? std::vector{60.0, 240.0, 960.0, 3840.0}
-                            : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0, 15360.0});
-}
-
-ExperimentCases limit_cases(bool quick) {
-    return cases_over(run_limit, quick ? std::vector{1e2, 1e3} : std::vector{1e1, 1e2, 1e3, 1e4, 1e5},
-                      std::vector{0.0, 0.5, 1.0});
-}
-
-std::vector<Chart> step_charts(const Rows& rows) {
-    return {{"responses",
-             "A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height "
-             "to which it bounces; and how fast a sheet drifts that should stick to a slope.",
-             {{"responses", in_words(words_of(rows, "response"))}}}};
-}
-
-std::vector<Chart> limit_charts(const Rows&) {
-    return {{"responses_limit",
-             "The longest step at which a penalty does not throw off a sheet that rests on it, against its stiffness: "
-             "lines as predicted, points as measured.",
-             {}}};
-}
-
-}  // namespace
 
 Experiment responses_experiment() {
     return {"responses",

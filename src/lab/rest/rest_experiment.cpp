@@ -64,28 +64,9 @@ private:
     std::deque<double> squares_;
 };
 
-/// Runs a scene until two seconds after it would have fallen asleep.
-/// @return `step_s` and `end`; unless it has diverged `speed_after_m_per_s`, in the last half second; and if it falls
-/// asleep `asleep_s`, when, and `speed_before_m_per_s`, in the half second before
-Row run_to_rest(const char* scene, const Settings& settings) {
-    RestRun run(scene, settings);
-    SleepWatch watch;
-    const SolverSettings watched = load_scene(scene).solver;
-    const double& time = run.simulation.report().time;
-    Row row{{"step_s", settings.solver.dt}, {"end", "awake"}};
-    for (double end = 15; time < end;) {
-        if (!run.step()) return {{"step_s", settings.solver.dt}, {"end", "diverged"}};
-        const bool was_awake = row.word("end") == "awake";
-        if (!was_awake || !watch.look(run.simulation.cloths(), run.simulation.balls(), time, watched)) continue;
-        row.set({{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", run.speed()}});
-        end = time + 2;
-    }
-    row.set("speed_after_m_per_s", run.speed());
-    return row;
-}
-
-/// How a scene comes to rest, at its own step under a method that has a step limit, else at `long_step`, halved until
-/// it is below nine tenths of the limits of method and penalty, to a 64th at least.
+/// Runs a scene until two seconds after it would have fallen asleep, at its own step under a method that has a step
+/// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
+/// least. Speeds are those of the last half second.
 Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
     Row row{{"part", "rest"}, {"scene", scene}, {"response", response}, {"integrator", integrator}};
     Settings settings = rest_settings(scene, integrator, response, quick);
@@ -93,7 +74,23 @@ Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind inte
     if (!has_step_limit(integrator)) step = long_step;
     const double shortest = step / 64;
     while (step >= shortest && step > 0.9 * Simulation(scene, settings).longest_step()) step /= 2;
-    row.set(step >= shortest ? run_to_rest(scene, settings) : Row{{"end", "no_stable_step"}});
+    row.set("end", step < shortest ? "no_stable_step" : "diverged");
+    if (step < shortest) return {row};
+    row.set("step_s", step);
+    RestRun run(scene, settings);
+    SleepWatch watch;
+    const SolverSettings watched = load_scene(scene).solver;
+    const double& time = run.simulation.report().time;
+    Row found{{"end", "awake"}};
+    for (double end = 15; time < end;) {
+        if (!run.step()) return {row};
+        const bool is_awake = found.word("end") == "awake";
+        if (!is_awake || !watch.look(run.simulation.cloths(), run.simulation.balls(), time, watched)) continue;
+        found = {{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", run.speed()}};
+        end = time + 2;
+    }
+    row.set(found);
+    row.set("speed_after_m_per_s", run.speed());
     return {row};
 }
 
