@@ -40,12 +40,14 @@ using SelfContactCounts = std::map<std::string, std::int64_t>;
 /// @param h [s]
 SelfContactCounts make_step(ContactTrial& sheets, FailSafe fail_safe, Real h);
 
-/// How two sheets meet themselves and each other, by every pair of cells, so that no search is trusted.
+/// How two sheets meet themselves and each other.
 struct SheetMeeting {
     std::int64_t crossings = 0;  ///< of edges through triangles that they share no particle with
     Real penetration = 0;  ///< by which features that share no particle are nearer than the thickness, at most; all of
                            ///< it where cloth crosses cloth [m]
 };
+
+/// By every pair of cells, so that no search is trusted.
 SheetMeeting meeting_of(const ContactTrial& sheets);
 
 }  // namespace drape
