@@ -159,8 +159,7 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("fit, drop, particles 900, sphere: 3 rows, whole_s "));
     const Experiment hierarchy = hierarchy_experiment();
-    const Rows rows =
-        rows_of(hierarchy.columns, read_table(hierarchy, folder.path("out/hierarchy.csv"), false).value().rows());
+    const Rows rows = read_table(hierarchy, folder.path("out/hierarchy.csv"), false).value().rows();
     ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";
     for (const Row& row : rows) {
         EXPECT_GE(row.number("candidates"), row.number("touching"));

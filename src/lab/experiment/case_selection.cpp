@@ -10,24 +10,21 @@
 namespace drape {
 namespace {
 
-/// The numbers of "FROM<between>TO" if 1 <= FROM <= TO <= most.
-std::optional<std::pair<std::size_t, std::size_t>> parse_pair(std::string_view text, char between, std::size_t most) {
-    const auto pair = parse_integers(text, between);
-    if (!pair || !(pair->first >= 1 && pair->first <= pair->second && pair->second <= static_cast<long long>(most))) {
-        return {};
+constexpr std::size_t most_parts = 10000;
+
+/// Two numbers with a mark between.
+/// @throws InputError unless 1 <= first <= second <= most
+std::pair<std::size_t, std::size_t> parse_pair(const std::string& text, char mark, std::size_t most,
+                                               const std::string& option, const char* first, const char* second) {
+    const auto pair = parse_integers(text, mark);
+    if (pair && pair->first >= 1 && pair->first <= pair->second && pair->second <= static_cast<long long>(most)) {
+        return *pair;
     }
-    return std::pair(static_cast<std::size_t>(pair->first), static_cast<std::size_t>(pair->second));
+    throw InputError(fmt::format("{} {}: allowed {}{}{} with 1 <= {} <= {} <= {}", option, shortened(text), first, mark,
+                                 second, first, second, most));
 }
 
 }  // namespace
-
-Share parse_share(const std::string& text) {
-    constexpr std::size_t most = 10000;
-    if (text.empty()) return {};
-    const auto share = parse_pair(text, '/', most);
-    if (!share) throw InputError(fmt::format("--share {}: allowed K/N with 1 <= K <= N <= {}", shortened(text), most));
-    return {share->first, share->second};
-}
 
 std::string CaseSelection::text() const {
     std::string all = quick ? "--quick" : "whole";
@@ -37,15 +34,12 @@ std::string CaseSelection::text() const {
 }
 
 std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
-    const auto range = cases.empty() ? std::optional(std::pair(std::size_t{1}, count)) : parse_pair(cases, '-', count);
-    if (!range) {
-        throw InputError(
-            fmt::format("--cases {}: allowed FIRST-LAST with 1 <= FIRST <= LAST <= {}", shortened(cases), count));
-    }
-    const Share part = parse_share(share);
+    const auto range =
+        parse_pair(cases.empty() ? fmt::format("1-{}", count) : cases, '-', count, "--cases", "FIRST", "LAST");
+    const auto part = parse_pair(share.empty() ? "1/1" : share, '/', most_parts, "--share", "K", "N");
     std::vector<std::size_t> wanted;
-    for (std::size_t number = range->first; number <= range->second; ++number) {
-        if (part.has(number)) wanted.push_back(number);
+    for (std::size_t number = range.first; number <= range.second; ++number) {
+        if (number % part.second == part.first % part.second) wanted.push_back(number);
     }
     return wanted;
 }

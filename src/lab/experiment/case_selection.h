@@ -6,23 +6,11 @@
 
 namespace drape {
 
-/// The K-th of N parts of the cases: K, K + N, K + 2N, ...
-struct Share {
-    std::size_t part = 1, parts = 1;
-
-    /// @param number of a case, from 1
-    [[nodiscard]] bool has(std::size_t number) const { return number % parts == part % parts; }
-};
-
-/// @param text "K/N", or empty for all
-/// @throws InputError unless 1 <= K <= N <= 10000
-Share parse_share(const std::string& text);
-
 /// Which cases of an experiment a run computes, as its options say it and its table's head.
 struct CaseSelection {
     bool quick = false;
     std::string cases = {};  ///< "FIRST-LAST"; empty for all
-    std::string share = {};  ///< "K/N"; empty for all
+    std::string share = {};  ///< "K/N", the K-th of N parts: K, K + N, K + 2N, ...; empty for all
 
     /// "--quick --cases 3-7 --share 1/2", or "whole" in place of "--quick".
     [[nodiscard]] std::string text() const;

@@ -53,24 +53,22 @@ struct Experiment {
     [[nodiscard]] ExperimentCases cases(bool quick) const;
 
     /// Those of all parts.
-    /// @param table checked
-    [[nodiscard]] std::vector<Chart> charts(const std::vector<TableRow>& table) const;
+    /// @param rows with a cell in every column
+    [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };
 
 /// "rk4, damping, agrees: 28 rows, measured_step_s 0.0012 to 0.0031", line by line, in the order in which they come.
 /// Numbers that there are not are left out.
-std::string summary_of(const Experiment& experiment, const std::vector<TableRow>& rows);
+/// @param rows with a cell in every column
+std::string summary_of(const Experiment& experiment, const Rows& rows);
 
 /// A case for each choice of one value from every list; those of the last list change fastest.
 /// @param run(values...) gives the rows
-template <class Run>
-auto cases_over(const Run& run) {
-    return std::vector{std::function(run)};
-}
+inline ExperimentCases cases_over(const ExperimentCase& run) { return {run}; }
 
 template <class Run, class Value, class... Values>
-auto cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
-    std::vector<std::function<std::invoke_result_t<Run, Value, Values...>()>> all;
+ExperimentCases cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
+    ExperimentCases all;
     for (const Value& value : list) {
         const auto chosen = [=](const Values&... others) { return run(value, others...); };
         std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));

@@ -6,15 +6,24 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <string_view>
 #include <thread>
 
-#include "drape/base/assert.h"
+#include "case_selection.h"
 #include "drape/base/commit.h"
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
+#include "drape/base/numbers.h"
 #include "drape/base/real.h"
+#include "lab/line_reader.h"
 
 namespace drape {
 namespace {
+
+constexpr std::size_t longest_table_line = 16 * 1024;    // bytes: a line of a merged head names every machine
+constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest of a whole run has 5 million
+constexpr long long most_cases = 100'000;
+constexpr std::string_view table_end_mark = "# end: ";  // before the number of its cases
 
 /// The processor and how many cores of it this program may use.
 std::string machine() {
@@ -37,19 +46,138 @@ std::string compiler() {
 #endif
 }
 
-std::string joined(const TableRow& row) {
-    for (const std::string& cell : row) DRAPE_ASSERT(cell.find_first_of(",\n") == std::string::npos);
-    return fmt::format("{}\n", fmt::join(row, ","));
+std::string columns_line(const Experiment& experiment) {
+    std::string line = "case";
+    for (const Column& column : experiment.columns) line += "," + column.name;
+    return line;
 }
 
-/// What is wrong with what a case has computed; empty if nothing is.
-std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRow>& rows) {
-    if (rows.empty()) return "it has no rows";
-    for (const TableRow& row : rows) {
-        if (const std::string flaw = flaw_of(experiment.columns, row); !flaw.empty()) return flaw;
+/// @param texts without a flaw
+Row row_from(const Columns& columns, const TableRow& texts) {
+    Row row;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const bool is_word = columns[k].kind == Column::Kind::Word;
+        row.set(columns[k].name, is_word ? Cell(texts[k]) : Cell(parse_real(texts[k]).value_or(no_number)));
     }
-    return "";
+    return row;
 }
+
+/// Reads a table line after line, and checks each.
+class TableReader {
+public:
+    TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
+        : experiment_(experiment), reader_(in, name, longest_table_line), unfinished_(unfinished) {}
+
+    /// Reads the head and the line that names the columns.
+    /// @return nothing where it is cut off before that line ends
+    std::optional<TableHead> read_head() {
+        TableHead head;
+        for (const std::string name :
+             {"experiment", "drape", "commit", "machine", "compiler", "date", "settings", "cases"}) {
+            if (!next()) return {};
+            const std::string mark = "# " + name + ": ";
+            if (!line().starts_with(mark)) reader_.fail("'{}': allowed '{}' of a head", shortened(line()), mark);
+            head.emplace_back(name, line().substr(mark.size()));
+            check_head(name, head.back().second);
+        }
+        if (!next()) return {};
+        if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
+        return head;
+    }
+
+    /// Reads all of it.
+    std::optional<ExperimentTable> read() {
+        const auto head = read_head();
+        if (!head && unfinished_) return {};
+        if (!head) reader_.fail("there is no table");
+        ExperimentTable table{*head, {}};
+        const std::vector<std::size_t> wanted = cases_of(*head);
+        while (next()) {
+            if (line().starts_with(table_end_mark)) {
+                check_end(table, wanted);
+                return table;
+            }
+            const auto cells = split_at_commas(line());
+            if (cells.size() != experiment_.columns.size() + 1) {
+                reader_.fail("{} cells: allowed {}", cells.size(), experiment_.columns.size() + 1);
+            }
+            const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
+            const TableRow texts(cells.begin() + 1, cells.end());
+            if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) reader_.fail("{}", flaw);
+            table.cases[number].push_back(row_from(experiment_.columns, texts));
+        }
+        if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
+        // Its last rows may be missing. Cases are computed in ascending order
+        if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
+        return table;
+    }
+
+private:
+    [[nodiscard]] const std::string& line() const { return reader_.line(); }
+
+    /// False at the end, or where an unfinished table is cut off.
+    bool next() {
+        const LineEnd end = reader_.next();
+        if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
+        if (end == LineEnd::CutOff) reader_.fail("cut off");
+        const auto foreign = std::ranges::find_if(line(), [](char c) { return c < ' ' || c > '~'; });
+        if (foreign != line().end()) {
+            reader_.fail("byte {} is no printable ASCII character", foreign - line().begin() + 1);
+        }
+        return true;
+    }
+
+    void check_head(const std::string& name, const std::string& value) const {
+        const auto demand = [&](bool good, const std::string& allowed) {
+            if (!good) reader_.fail("{} = '{}': allowed {}", name, shortened(value), allowed);
+        };
+        if (name == "experiment") demand(value == experiment_.name, "'" + experiment_.name + "'");
+        if (name == "settings") {
+            demand(parse_selection(value).has_value(),
+                   "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
+        }
+        if (name == "cases") {
+            const long long count = parse_integer(value).value_or(0);
+            demand(count >= 1 && count <= most_cases, "1 to " + std::to_string(most_cases));
+        }
+    }
+
+    /// The cases that a table with this head has when it is finished.
+    [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const try {
+        const auto count = parse_integer(line_of(head, "cases")).value();
+        return parse_selection(line_of(head, "settings"))->numbers(static_cast<std::size_t>(count));
+    } catch (const InputError& error) {
+        reader_.fail("the settings above have {}", error.what());
+    }
+
+    /// The case of a row: that of the row above, or the one that follows it.
+    /// @param begun how many of those wanted there are above
+    [[nodiscard]] std::size_t case_of(std::string_view cell, std::size_t begun,
+                                      const std::vector<std::size_t>& wanted) const {
+        std::vector<std::string> allowed;
+        for (std::size_t k = begun > 0 ? begun - 1 : 0; k <= begun && k < wanted.size(); ++k) {
+            allowed.push_back(std::to_string(wanted[k]));
+            if (cell == allowed.back()) return wanted[k];
+        }
+        reader_.fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
+                     allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
+    }
+
+    /// At the line that begins as the last one does.
+    void check_end(const ExperimentTable& table, const std::vector<std::size_t>& wanted) const {
+        const std::size_t there = table.cases.size();
+        const std::string count = line().substr(table_end_mark.size());
+        if (count != std::to_string(there)) {
+            reader_.fail("end = '{}': allowed {}, the number of cases above", shortened(count), there);
+        }
+        if (there < wanted.size()) reader_.fail("case {} is missing above", wanted[there]);
+        if (!reader_.at_end()) reader_.fail("there is more after the end");
+    }
+
+    const Experiment& experiment_;
+    LineReader reader_;
+    bool unfinished_;
+};
 
 }  // namespace
 
@@ -71,16 +199,38 @@ std::string line_of(const TableHead& head, const std::string& name) {
     return "";
 }
 
-std::vector<TableRow> ExperimentTable::rows() const {
-    std::vector<TableRow> all;
+std::string difference(const TableHead& head, const TableHead& wanted, const std::set<std::string>& but) {
+    for (const auto& [key, value] : wanted) {
+        const std::string there = line_of(head, key);
+        if (there != value && !but.contains(key)) return key + ": " + there + ", not " + value;
+    }
+    return "";
+}
+
+Rows ExperimentTable::rows() const {
+    Rows all;
     for (const auto& [number, rows] : cases) all.insert(all.end(), rows.begin(), rows.end());
     return all;
 }
 
-std::string columns_line(const Experiment& experiment) {
-    std::string line = "case";
-    for (const Column& column : experiment.columns) line += "," + column.name;
-    return line;
+std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
+                                          bool unfinished) {
+    return TableReader(experiment, in, name, unfinished).read();
+}
+
+std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
+                                          bool unfinished) {
+    if (!exists(file)) return {};
+    InputFile in(file.string(), largest_table, InputKind::Regular);
+    return read_table(experiment, in, file.string(), unfinished);
+}
+
+std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
+    if (!exists(file)) return {};
+    InputFile in(file.string(), largest_table, InputKind::Regular);
+    return TableReader(experiment, in, file.string(), true).read_head();
+} catch (const InputError&) {
+    return {};
 }
 
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
@@ -94,13 +244,15 @@ TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::pa
     out_.take_name();
 }
 
-void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
-    // A table that could not be read back is none
-    if (const std::string flaw = flaw_of_rows(experiment_, rows); !flaw.empty()) {
-        throw RunError(experiment_.name + ": case " + std::to_string(number) + ": " + flaw);
+void TableWriter::write(std::size_t number, const Rows& rows) {
+    std::string text, flaw = rows.empty() ? "it has no rows" : "";
+    for (const Row& row : rows) {
+        const TableRow texts = row.texts(experiment_.columns, experiment_.digits);
+        if (flaw.empty()) flaw = flaw_of(experiment_.columns, texts);
+        text += fmt::format("{},{}\n", number, fmt::join(texts, ","));
     }
-    std::string text;
-    for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
+    // A table that could not be read back is none
+    if (!flaw.empty()) throw RunError(fmt::format("{}: case {}: {}", experiment_.name, number, flaw));
     ++cases_;
     out_.stream() << text;
     out_.flush();
