@@ -1,6 +1,12 @@
 # Steps that stayed bounded and steps that failed, against stiffness and damping.
-# method, side: whose trials; trials, against: how many there are, those close to a limit left out, and contradict it
-# limited: 1 if the method has a linear step limit; stiffness, damping: 1 if they were swept
+# method: whose trials. The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
+of_method = "is('method', method) && !is('sweep', 'damped_stiffness')"
+stats table using (@of_method ? (side = column('side'), limited = !is('expected_step_s', 'inf'), 0) : 0) nooutput
+# How many trials there are, those close to a limit left out, and how many contradict it; what was swept
+trials = 0; against = 0; stiffness = 0; damping = 0
+stats table using (@of_method && column('side') == side ? (trials = trials + !is('agreement', 'close'), \
+  against = against + is('agreement', 'disagrees'), stiffness = stiffness || is('sweep', 'stiffness'), \
+  damping = damping || is('sweep', 'damping'), 0) : 0) nooutput
 eval paper(limited ? 620 : 420)
 endless = method eq 'explicit_euler'
 eval headline(!limited ? sprintf('%s has no linear limit: %d of %d trials are not bounded', capital(name_of(method)), against, trials) : \
