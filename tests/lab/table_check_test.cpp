@@ -150,19 +150,20 @@ TEST(TableCheck, DemandsAHeadThatSaysWhatTheTableIs) {
     const auto with = [&](const std::string& from, const std::string& to) {
         return refusal(replaced(text.all(), from, to));
     };
-    EXPECT_EQ(with(": stability", ": contact"), "t.csv:1: experiment = 'contact': allowed 'stability'");
+    EXPECT_EQ(with(": stability", ": contact"), "t.csv:8: experiment = 'contact' above: allowed 'stability'");
     for (const std::string line : {"", "# date: 1\n", "# <b>: 1\n", "# commit\n"}) {
         EXPECT_THAT(with("# commit: 1\n", line), MatchesRegex("t.csv:3: '# .*': allowed '# commit: ' of a head"));
     }
     for (const char* count : {"0", "x", "1e3", "100001", ""}) {
-        EXPECT_THAT(with("cases: 10", std::string("cases: ") + count), HasSubstr("': allowed 1 to 100000")) << count;
+        EXPECT_THAT(with("cases: 10", std::string("cases: ") + count), HasSubstr("' above: allowed 1 to 100000"))
+            << count;
     }
     for (const char* settings : {"quick", "", "--quick --share 1/2 --cases 3-4", "--quick  --cases 3-4", "whole x"}) {
-        EXPECT_THAT(with("--quick --cases 3-4", settings), HasSubstr("': allowed 'whole' or '--quick', then"))
+        EXPECT_THAT(with("--quick --cases 3-4", settings), HasSubstr("' above: allowed 'whole' or '--quick', then"))
             << settings;
     }
-    EXPECT_THAT(with("--cases 3-4", "--cases 3-11"), HasSubstr("t.csv:9: the settings above have --cases 3-11"));
-    EXPECT_THAT(with("# cases: 10", "# cases: 4\n# machine: \x1b[2J"), HasSubstr("t.csv:9: byte 12 is no printable"));
+    EXPECT_THAT(with("--cases 3-4", "--cases 3-11"), HasSubstr("t.csv:8: the settings above have --cases 3-11"));
+    EXPECT_THAT(with("A (R)", "\x1b[2J"), HasSubstr("t.csv:4: byte 12 is no printable"));
 }
 
 TEST(TableCheck, EndsEarlyWhereAFileIsTooLargeOrNoText) {
@@ -205,7 +206,7 @@ TEST(TableCheck, ReadsWhatARunHasWrittenAndAnUnfinishedTableThatIsCutOffAnywhere
 TEST(TableCheck, LetsNothingBeWrittenThatCouldNotBeReadBack) {
     const LabFolder folder;
     const Experiment& stability = experiment_of("stability");
-    const ExperimentTable table{head_of(stability, "--quick", 162), {}};
+    const ExperimentTable table{head_of(stability, {.quick = true}, 162), {}};
     TableWriter writer(stability, folder.path("t.csv"), table);
     Row row = good_row(stability);
     writer.write(1, Rows{row});

@@ -40,7 +40,17 @@ std::string range_of(const Rows& rows, const std::string& column) {
 
 ExperimentCases Experiment::cases(bool quick) const {
     ExperimentCases all;
-    for (const ExperimentPart& part : parts) std::ranges::move(part.cases(quick), std::back_inserter(all));
+    for (const ExperimentPart& part : parts) {
+        for (const ExperimentCase& run : part.cases(quick)) {
+            all.push_back([run, name = part.name] {
+                Rows rows = run();
+                for (Row& row : rows) {
+                    if (!name.empty()) row.set("part", name);
+                }
+                return rows;
+            });
+        }
+    }
     return all;
 }
 

@@ -29,7 +29,7 @@ using ExperimentCases = std::vector<ExperimentCase>;
 
 /// Some cases, and what is drawn of their rows where there are any. A share may have none.
 struct ExperimentPart {
-    std::string name;  ///< of its rows in the column `part`; empty: they are all
+    std::string name;  ///< that its rows are given in the column `part`; empty: they are all, and there is none
     std::function<ExperimentCases(bool quick)> cases;
     std::function<std::vector<Chart>(const Rows& rows)> charts;  ///< {}: none
 };

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <regex>
 #include <string_view>
 #include <thread>
 
-#include "case_selection.h"
 #include "drape/base/commit.h"
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
@@ -23,7 +23,20 @@ namespace {
 constexpr std::size_t longest_table_line = 16 * 1024;    // bytes: a line of a merged head names every machine
 constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest of a whole run has 5 million
 constexpr long long most_cases = 100'000;
+constexpr std::size_t most_parts = 10000;
 constexpr std::string_view table_end_mark = "# end: ";  // before the number of its cases
+
+/// Two numbers with a mark between.
+/// @throws InputError unless 1 <= first <= second <= most
+std::pair<std::size_t, std::size_t> parse_pair(const std::string& text, char mark, std::size_t most,
+                                               const std::string& option, const char* first, const char* second) {
+    const auto pair = parse_integers(text, mark);
+    if (pair && pair->first >= 1 && pair->first <= pair->second && pair->second <= static_cast<long long>(most)) {
+        return *pair;
+    }
+    throw InputError(fmt::format("{} {}: allowed {}{}{} with 1 <= {} <= {} <= {}", option, shortened(text), first, mark,
+                                 second, first, second, most));
+}
 
 /// The processor and how many cores of it this program may use.
 std::string machine() {
@@ -68,9 +81,8 @@ public:
     TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
         : experiment_(experiment), reader_(in, name, longest_table_line), unfinished_(unfinished) {}
 
-    /// Reads the head and the line that names the columns.
-    /// @return nothing where it is cut off before that line ends
-    std::optional<TableHead> read_head() {
+    /// @return empty where it is cut off before its head ends
+    TableHead read_head() {
         TableHead head;
         for (const std::string name :
              {"experiment", "drape", "commit", "machine", "compiler", "date", "settings", "cases"}) {
@@ -78,20 +90,19 @@ public:
             const std::string mark = "# " + name + ": ";
             if (!line().starts_with(mark)) reader_.fail("'{}': allowed '{}' of a head", shortened(line()), mark);
             head.emplace_back(name, line().substr(mark.size()));
-            check_head(name, head.back().second);
         }
-        if (!next()) return {};
-        if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
         return head;
     }
 
     /// Reads all of it.
     std::optional<ExperimentTable> read() {
-        const auto head = read_head();
-        if (!head && unfinished_) return {};
-        if (!head) reader_.fail("there is no table");
-        ExperimentTable table{*head, {}};
-        const std::vector<std::size_t> wanted = cases_of(*head);
+        ExperimentTable table{read_head(), {}};
+        const auto wanted = table.head.empty() ? std::vector<std::size_t>{} : cases_of(table.head);
+        if (table.head.empty() || !next()) {
+            if (unfinished_) return {};
+            reader_.fail("there is no table");
+        }
+        if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
         while (next()) {
             if (line().starts_with(table_end_mark)) {
                 check_end(table, wanted);
@@ -127,27 +138,22 @@ private:
         return true;
     }
 
-    void check_head(const std::string& name, const std::string& value) const {
-        const auto demand = [&](bool good, const std::string& allowed) {
-            if (!good) reader_.fail("{} = '{}': allowed {}", name, shortened(value), allowed);
+    /// The numbers of the cases that a table with this head has when it is finished.
+    [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const {
+        const auto demand = [&](const std::string& name, bool good, const std::string& allowed) {
+            if (!good) reader_.fail("{} = '{}' above: allowed {}", name, shortened(line_of(head, name)), allowed);
         };
-        if (name == "experiment") demand(value == experiment_.name, "'" + experiment_.name + "'");
-        if (name == "settings") {
-            demand(parse_selection(value).has_value(),
-                   "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
+        const long long count = parse_integer(line_of(head, "cases")).value_or(0);
+        const auto selection = parse_selection(line_of(head, "settings"));
+        demand("experiment", line_of(head, "experiment") == experiment_.name, "'" + experiment_.name + "'");
+        demand("settings", selection.has_value(),
+               "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
+        demand("cases", count >= 1 && count <= most_cases, fmt::format("1 to {}", most_cases));
+        try {
+            return selection->numbers(static_cast<std::size_t>(count));
+        } catch (const InputError& error) {
+            reader_.fail("the settings above have {}", error.what());
         }
-        if (name == "cases") {
-            const long long count = parse_integer(value).value_or(0);
-            demand(count >= 1 && count <= most_cases, "1 to " + std::to_string(most_cases));
-        }
-    }
-
-    /// The cases that a table with this head has when it is finished.
-    [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const try {
-        const auto count = parse_integer(line_of(head, "cases")).value();
-        return parse_selection(line_of(head, "settings"))->numbers(static_cast<std::size_t>(count));
-    } catch (const InputError& error) {
-        reader_.fail("the settings above have {}", error.what());
     }
 
     /// The case of a row: that of the row above, or the one that follows it.
@@ -181,14 +187,40 @@ private:
 
 }  // namespace
 
-TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases) {
+std::string CaseSelection::text() const {
+    std::string all = quick ? "--quick" : "whole";
+    if (!cases.empty()) all += " --cases " + cases;
+    if (!share.empty()) all += " --share " + share;
+    return all;
+}
+
+std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
+    const auto range =
+        parse_pair(cases.empty() ? fmt::format("1-{}", count) : cases, '-', count, "--cases", "FIRST", "LAST");
+    const auto part = parse_pair(share.empty() ? "1/1" : share, '/', most_parts, "--share", "K", "N");
+    std::vector<std::size_t> wanted;
+    for (std::size_t number = range.first; number <= range.second; ++number) {
+        if (number % part.second == part.first % part.second) wanted.push_back(number);
+    }
+    return wanted;
+}
+
+std::optional<CaseSelection> parse_selection(const std::string& text) {
+    static const std::regex form("(--quick|whole)(?: --cases ([^ ]+))?(?: --share ([^ ]+))?");
+    std::smatch parts;
+    // The matcher's depth is that of the text
+    if (text.size() > 1000 || !std::regex_match(text, parts, form)) return {};
+    return CaseSelection{parts[1] == "--quick", parts[2], parts[3]};
+}
+
+TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases) {
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
             {"commit", commit()},
             {"machine", machine()},
             {"compiler", compiler()},
             {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
-            {"settings", settings},
+            {"settings", selection.text()},
             {"cases", std::to_string(cases)}};
 }
 
@@ -225,7 +257,7 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
     return read_table(experiment, in, file.string(), unfinished);
 }
 
-std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
+TableHead read_head(const Experiment& experiment, const std::filesystem::path& file) try {
     if (!exists(file)) return {};
     InputFile in(file.string(), largest_table, InputKind::Regular);
     return TableReader(experiment, in, file.string(), true).read_head();

@@ -14,12 +14,30 @@
 
 namespace drape {
 
+/// Which cases of an experiment a run computes, as its options say it and its table's head.
+struct CaseSelection {
+    bool quick = false;
+    std::string cases = {};  ///< "FIRST-LAST"; empty for all
+    std::string share = {};  ///< "K/N", the K-th of N parts: K, K + N, K + 2N, ...; empty for all
+
+    /// "--quick --cases 3-7 --share 1/2", or "whole" in place of "--quick".
+    [[nodiscard]] std::string text() const;
+
+    /// The numbers of the cases, ascending from 1.
+    /// @param count of all cases that there are
+    /// @throws InputError that names the option if a part of it is none
+    [[nodiscard]] std::vector<std::size_t> numbers(std::size_t count) const;
+};
+
+/// Reads what `text` has written; nothing if it is anything else. What the options say is not looked at.
+std::optional<CaseSelection> parse_selection(const std::string& text);
+
 /// What a table says of where it is from, a line each: "machine", "Intel ...".
 using TableHead = std::vector<std::pair<std::string, std::string>>;
 
 /// The head of a table that is computed here and now.
-/// @param settings that say which cases: "--quick"
-TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases);
+/// @param cases that there are in all
+TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases);
 
 /// The line of that name; empty if there is none.
 std::string line_of(const TableHead& head, const std::string& name);
@@ -53,8 +71,8 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
                                           bool unfinished);
 
 /// The head of a table whose rows are not looked at.
-/// @return nothing if there is no such file, or it does not begin as a table of this experiment
-std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file);
+/// @return empty if there is no such file, or it does not begin with a head
+TableHead read_head(const Experiment& experiment, const std::filesystem::path& file);
 
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {

@@ -4,7 +4,6 @@
 #include <memory>
 #include <set>
 
-#include "case_selection.h"
 #include "drape/base/command_line.h"
 #include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"

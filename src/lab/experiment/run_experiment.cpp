@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <memory>
 
-#include "case_selection.h"
 #include "drape/base/command_line.h"
 #include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"
@@ -86,10 +85,10 @@ void run(const Experiment& experiment, std::span<const Experiment> all, const Ru
     check_alone(experiment, all, folder);
     const auto file = folder / (experiment.name + ".csv");
     const FolderLock lock(file);
-    const TableHead head = head_of(experiment, options.selection.text(), cases.size());
+    const TableHead head = head_of(experiment, options.selection, cases.size());
     // The finished table of the same program, machine and settings is used; anything else is none of ours
-    const auto there = options.again || exists(unfinished_name(file)) ? std::nullopt : read_head(experiment, file);
-    const bool is_done = there && difference(*there, head, {"date"}).empty();
+    const bool is_done = !options.again && !exists(unfinished_name(file)) &&
+                         difference(read_head(experiment, file), head, {"date"}).empty();
     if (!is_done) compute(experiment, cases, wanted, head, file);
     const ExperimentTable table = finished(experiment, file);
     if (is_done) tell(file.string() + ": all cases are there already; --again computes them once more");

@@ -70,9 +70,8 @@ Rows run_tolerances(const Method& method, int side) {
     for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
         const SolveRun run = solved_to(static_cast<Real>(tolerance), 1);
         rows.push_back(run.row);
-        rows.back().set({{"part", "tolerance"},
-                         {"solver_error_m", position_error(run.x, solved, 1)},
-                         {"step_error_m", position_error(solved, truth, 1)}});
+        rows.back().set(
+            {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
     }
     return rows;
 }
@@ -87,7 +86,7 @@ Rows run_newton(Method method, int side) {
         for (const int parts : {1, 2, 4, 8}) {
             const SolveRun run = run_sheet(method, side, Real(0.5), parts);
             rows.push_back(run.row);
-            rows.back().set({{"part", "newton"}, {"step_error_m", position_error(run.x, truth, 1)}});
+            rows.back().set("step_error_m", position_error(run.x, truth, 1));
         }
     }
     return rows;
@@ -103,11 +102,7 @@ ExperimentCases newton_cases(bool quick) {
 
 /// Falling, and once it swings in folds.
 ExperimentCases size_cases(bool quick) {
-    const auto run = [](Real time, int side) {
-        Row row = run_sheet(solved_methods()[0], side, time).row;
-        row.set("part", "size");
-        return Rows{row};
-    };
+    const auto run = [](Real time, int side) { return Rows{run_sheet(solved_methods()[0], side, time).row}; };
     return cases_over(run, std::vector{Real(0.2), Real(1)},
                       quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
