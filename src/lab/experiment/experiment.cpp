@@ -38,6 +38,16 @@ std::string range_of(const Rows& rows, const std::string& column) {
 
 }  // namespace
 
+ChartsOfRows charts_by(const char* column, const char* script) {
+    return [column, script](const Rows& rows) {
+        std::vector<Chart> charts;
+        for (const std::string& word : words_of(rows, column)) {
+            charts.push_back({.name = script + ("_" + word), .values = {{column, word}}, .script = script});
+        }
+        return charts;
+    };
+}
+
 ExperimentCases Experiment::cases(bool quick) const {
     ExperimentCases all;
     for (const ExperimentPart& part : parts) {
