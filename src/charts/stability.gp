@@ -1,7 +1,11 @@
-# Steps that stayed bounded and steps that failed, against stiffness and damping.
+# caption: Steps that stayed bounded and steps that failed, over stiffness and damping. The line is the longest step
+# caption: that is predicted: every dot should lie below it, every cross above it. Where the method has no linear limit
+# caption: there is no line, and a cross is a failure that no linear theory predicts.
 # method: whose trials. The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
 of_method = "is('method', method) && !is('sweep', 'damped_stiffness')"
+side = 0
 stats table using (@of_method ? (side = column('side'), limited = !is('expected_step_s', 'inf'), 0) : 0) nooutput
+if (side == 0) { exit status 3 }
 # How many trials there are, those close to a limit left out, and how many contradict it; what was swept
 trials = 0; against = 0; stiffness = 0; damping = 0
 stats table using (@of_method && column('side') == side ? (trials = trials + !is('agreement', 'close'), \

@@ -1,7 +1,5 @@
 #include <cmath>
-#include <memory>
 
-#include "drape/base/numbers.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/measure/states.h"
@@ -107,32 +105,6 @@ ExperimentCases size_cases(bool quick) {
                       quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
 
-std::vector<Chart> tolerance_charts(const Rows& all) {
-    const Rows rows = rows_with(all, "method", "backward_euler_clamped");
-    if (rows.empty()) return {};
-    const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
-    return {
-        {"solve_tolerance",
-         "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
-         "tolerance of the solves; dashed, the error of the step itself.",
-         {{"sides", in_words(sides)}}}};
-}
-
-std::vector<Chart> newton_charts(const Rows& rows) {
-    return {
-        {"solve_newton",
-         "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
-         "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
-         {{"methods", in_words(words_of(rows, "method"))}}}};
-}
-
-std::vector<Chart> size_charts(const Rows&) {
-    return {{"solve_size",
-             "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
-             "flat, and once it swings in folds.",
-             {}}};
-}
-
 }  // namespace
 
 Experiment solve_experiment() {
@@ -149,9 +121,9 @@ Experiment solve_experiment() {
              positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
             {{"part", "method", "side", "time_s", "newton_steps"},
              {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
-            {{"tolerance", tolerance_cases, tolerance_charts},
-             {"newton", newton_cases, newton_charts},
-             {"size", size_cases, size_charts}}};
+            {{"tolerance", tolerance_cases, charts_of({{.name = "solve_tolerance"}})},
+             {"newton", newton_cases, charts_of({{.name = "solve_newton"}})},
+             {"size", size_cases, charts_of({{.name = "solve_size"}})}}};
 }
 
 }  // namespace drape

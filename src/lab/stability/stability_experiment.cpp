@@ -105,26 +105,6 @@ ExperimentCases stability_cases(bool quick) {
     return all;
 }
 
-/// A chart a method.
-std::vector<Chart> stability_charts(Rows rows) {
-    // The damped sweep of stiffness is for the table only
-    std::erase_if(rows, [](const Row& row) { return row.word("sweep") == "damped_stiffness"; });
-    std::vector<Chart> charts;
-    for (const std::string& method : words_of(rows, "method")) {
-        const bool limited = std::isfinite(rows_with(rows, "method", method).front().number("expected_step_s"));
-        charts.push_back(
-            {"stability_" + method,
-             limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
-                       "step that is predicted: every dot should lie below the line, every cross above it."
-                     : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
-                       "that has no linear limit: a cross is a failure that no linear theory predicts.",
-             {{"method", method}},
-             {},
-             "stability"});
-    }
-    return charts;
-}
-
 }  // namespace
 
 Experiment stability_experiment() {
@@ -144,7 +124,7 @@ Experiment stability_experiment() {
              positive_column("step_s"), name_column<TrialEnd>("end"),
              word_column("agreement", {"agrees", "disagrees", "close"})},
             {{"method", "sweep", "agreement"}, {"expected_step_s", "measured_step_s"}},
-            {{"", stability_cases, stability_charts}}};
+            {{"", stability_cases, charts_by("method", "stability")}}};
 }
 
 }  // namespace drape
