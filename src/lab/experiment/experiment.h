@@ -17,10 +17,10 @@ struct Chart {
     using Value = std::variant<double, std::string>;
 
     std::string name;                          ///< of the files, without what follows the dot: letters, digits and '_'
-    std::string caption = {};                  ///< under the picture, after what the script's head says of it
     std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string data = {};                     ///< what more it reads, from the file in the variable `data`
     std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string caption = {};                  ///< under the picture, after what the script's head says of it
 };
 
 /// What is drawn of some rows of a table.
