@@ -74,10 +74,15 @@ std::vector<Chart> Experiment::charts(const Rows& rows) const {
 }
 
 std::string summary_of(const Experiment& experiment, const Rows& rows) {
-    const auto label = [&experiment](const Row& row) { return label_of(experiment, row); };
-    const auto groups = groups_of(rows, label);
+    std::vector<std::string> names;
+    std::map<std::string, Rows> groups;
+    for (const Row& row : rows) {
+        const std::string name = label_of(experiment, row);
+        if (!groups.contains(name)) names.push_back(name);
+        groups[name].push_back(row);
+    }
     std::string text;
-    for (const std::string& name : words_of(rows, label)) {
+    for (const std::string& name : names) {
         const Rows& group = groups.at(name);
         text += fmt::format("{}: {} row{}", name, group.size(), group.size() == 1 ? "" : "s");
         for (const std::string& column : experiment.summary.of) text += range_of(group, column);

@@ -120,16 +120,11 @@ private:
 
 using Rows = std::vector<Row>;
 
-// What rows are sorted, grouped and told by.
+// What rows are sorted and told by.
 
 /// The number in a column of a row.
 inline auto number_of(const char* column) {
     return [column](const Row& row) { return row.number(column); };
-}
-
-/// The word in a column of a row.
-inline auto word_of(const char* column) {
-    return [column](const Row& row) { return row.word(column); };
 }
 
 /// Rows that have a word in a column.
@@ -144,8 +139,8 @@ std::vector<std::string> names_in(const Items& items, Name name) {
 }
 
 /// The words that a function has for rows, each once, in the order in which they come.
-template <class Item, class Word>
-std::vector<std::string> words_of(const std::vector<Item>& rows, Word word) {
+template <class Word>
+std::vector<std::string> words_of(const Rows& rows, Word word) {
     std::vector<std::string> words;
     for (const std::string& one : names_in(rows, word)) {
         if (std::ranges::find(words, one) == words.end()) words.push_back(one);
@@ -155,15 +150,7 @@ std::vector<std::string> words_of(const std::vector<Item>& rows, Word word) {
 
 /// The words that rows have in a column.
 inline std::vector<std::string> words_of(const Rows& rows, const char* column) {
-    return words_of(rows, word_of(column));
-}
-
-/// Rows by what a function has for them.
-template <class Item, class Key>
-auto groups_of(const std::vector<Item>& rows, Key key) {
-    std::map<std::decay_t<std::invoke_result_t<Key, const Item&>>, std::vector<Item>> groups;
-    for (const Item& row : rows) groups[std::invoke(key, row)].push_back(row);
-    return groups;
+    return words_of(rows, [column](const Row& row) { return row.word(column); });
 }
 
 /// A list of words for the script of a chart: "drop curtain".
