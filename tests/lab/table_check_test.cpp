@@ -135,8 +135,8 @@ TEST(TableCheck, DemandsTheCasesOfItsHeadEachOnceInTheirOrder) {
         EXPECT_THAT(with(three + Text::row(number), "# end: 2\n"), HasSubstr("t.csv:11: column case: '")) << number;
     }
     EXPECT_EQ(with(three, "# end: 1\n"), "t.csv:11: case 4 is missing above");
-    EXPECT_EQ(with(three + four, "# end: 3\n"), "t.csv:12: end = '3': allowed 2, the number of cases above");
-    EXPECT_EQ(with(three + four, "# end: x\n"), "t.csv:12: end = 'x': allowed 2, the number of cases above");
+    EXPECT_EQ(with(three + four, "# end: 3\n"), "t.csv:12: '# end: 3': allowed '# end: 2', the number of cases above");
+    EXPECT_EQ(with(three + four, "# end: x\n"), "t.csv:12: '# end: x': allowed '# end: 2', the number of cases above");
     EXPECT_THAT(with(three + four, ""), HasSubstr("t.csv:11: cut off"));
     for (const std::string after : {"x\n", "\n", "x", "4,`id`\n", "# end: 2\n"}) {
         for (const bool unfinished : {false, true}) {

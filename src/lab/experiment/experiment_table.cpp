@@ -105,7 +105,7 @@ public:
         if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
         while (next()) {
             if (line().starts_with(table_end_mark)) {
-                check_end(table, wanted);
+                check_end(table.cases.size(), wanted);
                 return table;
             }
             const auto cells = split_at_commas(line());
@@ -170,12 +170,10 @@ private:
     }
 
     /// At the line that begins as the last one does.
-    void check_end(const ExperimentTable& table, const std::vector<std::size_t>& wanted) const {
-        const std::size_t there = table.cases.size();
-        const std::string count = line().substr(table_end_mark.size());
-        if (count != std::to_string(there)) {
-            reader_.fail("end = '{}': allowed {}, the number of cases above", shortened(count), there);
-        }
+    /// @param there how many cases are above
+    void check_end(std::size_t there, const std::vector<std::size_t>& wanted) const {
+        const std::string end = fmt::format("{}{}", table_end_mark, there);
+        if (line() != end) reader_.fail("'{}': allowed '{}', the number of cases above", shortened(line()), end);
         if (there < wanted.size()) reader_.fail("case {} is missing above", wanted[there]);
         if (!reader_.at_end()) reader_.fail("there is more after the end");
     }

@@ -24,7 +24,6 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
     std::optional<ExperimentTable> whole;
     std::string first;
     std::set<std::string> machines;
-    CaseSelection selection;
     for (const std::filesystem::path folder : folders) {
         const auto path = folder / (experiment.name + ".csv");
         const std::string file = path.string();
@@ -35,10 +34,7 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         if (!share) continue;
         for (auto& [key, value] : share->head) {
             if (key == "machine") machines.insert(value);
-            if (key != "settings") continue;
-            selection = parse_selection(value).value();
-            selection.share.clear();
-            value = selection.text();
+            if (key == "settings") value = value.substr(0, value.find(" --share "));
         }
         if (!whole) {
             first = file;
@@ -52,6 +48,7 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         throw InputError(fmt::format("{}: case {} is in another table, too", file, share->cases.begin()->first));
     }
     if (!whole) return {};
+    const CaseSelection selection = parse_selection(line_of(whole->head, "settings")).value();
     for (const std::size_t number : selection.numbers(std::stoul(line_of(whole->head, "cases")))) {
         if (whole->cases.contains(number)) continue;
         throw InputError(fmt::format("case {} is missing beside {}: not all shares are there", number, first));
