@@ -1,5 +1,7 @@
-# Time of a frame against the storage of the hierarchy: a panel for each scene, a line for each volume.
-# scenes, particles_SCENE; volumes: VOLUME:BYTES, what a node takes; data: scene, volume, bytes of the tree, time
+# caption: CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line joins the
+# caption: leaf sizes of one volume, each rebuilt every frame; beside it the bytes a node.
+# scenes; volumes: VOLUME:BYTES, what a node takes; data: scene, volume, bytes of the tree, time
+if (scenes eq '') { exit status 3 }
 eval paper(430)
 volume_in(text) = text[1:strstrt(text, ':') - 1]
 bytes_in(text) = text[strstrt(text, ':') + 1:*]
@@ -27,8 +29,7 @@ do for [scene in scenes] {
 }
 eval headline(time_most > 0 ? sprintf('Boxes take %.1f times the storage of spheres, whose best trees take %.1f to %.1f times as long', size_most, \
   time_least, time_most) : 'Time of a frame and storage of the tree', \
-  sprintf('%d particles, every tree rebuilt in every frame; each line from large leaves to small ones; beside it the bytes of a node', \
-  value('particles_'.word(scenes, 1))))
+  '16384 particles, every tree rebuilt in every frame; each line from large leaves to small ones; beside it the bytes of a node')
 # Names with the bytes of a node, in the order of the right ends
 eval forget
 do for [k = 1:words(shown)] {

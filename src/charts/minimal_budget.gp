@@ -1,3 +1,5 @@
+# caption: How far the motion of a scene moves where one knob is as in its full model (the step: half as long), and how
+# caption: many times the scene's cost that is.
 # How far the motion moves where one knob at a time is as in the full model, and what that costs: a group a scene.
 # scenes; cost_SCENE: of the scene as it is [s/s]
 knobs = 'particles bend drag integrator dt'

@@ -1,4 +1,4 @@
-# Six methods in one panel: cost against error, with what a picture needs.
+# caption: Six of these methods: what each error costs, and which errors a picture can show.
 # scene, particles, horizon [s]
 eval paper(450)
 methods = 'symplectic_euler velocity_verlet backward_euler implicit_midpoint_clamped xpbd_1 projective_dynamics_5'

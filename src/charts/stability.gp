@@ -1,6 +1,16 @@
-# Steps that stayed bounded and steps that failed, against stiffness and damping.
-# method, side: whose trials; trials, against: how many there are, those close to a limit left out, and contradict it
-# limited: 1 if the method has a linear step limit; stiffness, damping: 1 if they were swept
+# caption: Steps that stayed bounded and steps that failed, over stiffness and damping. The line is the longest step
+# caption: that is predicted: every dot should lie below it, every cross above it. Where the method has no linear limit
+# caption: there is no line, and a cross is a failure that no linear theory predicts.
+# method: whose trials. The sheet that is drawn is the last of its method; the damped sweep of stiffness is for the table only
+of_method = "is('method', method) && !is('sweep', 'damped_stiffness')"
+side = 0
+stats table using (@of_method ? (side = column('side'), limited = !is('expected_step_s', 'inf'), 0) : 0) nooutput
+if (side == 0) { exit status 3 }
+# How many trials there are, those close to a limit left out, and how many contradict it; what was swept
+trials = 0; against = 0; stiffness = 0; damping = 0
+stats table using (@of_method && column('side') == side ? (trials = trials + !is('agreement', 'close'), \
+  against = against + is('agreement', 'disagrees'), stiffness = stiffness || is('sweep', 'stiffness'), \
+  damping = damping || is('sweep', 'damping'), 0) : 0) nooutput
 eval paper(limited ? 620 : 420)
 endless = method eq 'explicit_euler'
 eval headline(!limited ? sprintf('%s has no linear limit: %d of %d trials are not bounded', capital(name_of(method)), against, trials) : \

@@ -9,8 +9,8 @@
 
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
-#include "drape/base/run_program.h"
 #include "drape/contact/detection.h"
 #include "drape/scene/setting_table.h"
 #include "positions.h"
@@ -39,14 +39,15 @@ Ball parse_ball(const std::string& text) {
     return {.centre = {at(0), at(1), at(2)}, .radius = at(3)};
 }
 
-int collide(const CollideOptions& options) {
+void collide(const CollideOptions& options) {
     Settings settings;
     settings.contact.thickness = 0;
     assign_all(settings, options.assignments);
     const ContactSettings& contact = settings.contact;
     const Grid grid = parse_grid(options.grid);
     const Ball ball = parse_ball(options.ball);
-    const Points x = read_positions(options.positions, grid);
+    InputFile file(options.positions);
+    const Points x = read_positions(file, options.positions, grid);
 
     const auto broad_phase = make_broad_phase(broad_phase_of(settings), grid);
     Candidates found;
@@ -64,18 +65,17 @@ int collide(const CollideOptions& options) {
                   << stats.stopped << " nodes: triangles within them are not listed";
     }
     std::cerr << "\n";
-    return Done;
 }
 
 }  // namespace
 
-void add_collide(CommandLine& line, int& exit_code) {
+void add_collide(CommandLine& line) {
     auto options = std::make_shared<CollideOptions>();
     CommandLine& command = line.command(
         "collide",
         "Prints the triangles whose distance to the ball's centre is at most its radius (plus thickness, 0 "
         "unless set)",
-        [options, &exit_code] { exit_code = collide(*options); });
+        [options] { collide(*options); });
     command.option("--grid", options->grid, "columns and rows of particles", {"NXxNY", true});
     command.option("--positions", options->positions, "one x,y,z a line, in particle order [m]", {"FILE.csv", true});
     command.option("--ball", options->ball, "centre and radius [m]", {"x,y,z,r", true});

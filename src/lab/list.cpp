@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "drape/base/command_line.h"
-#include "drape/base/run_program.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/scene.h"
@@ -14,7 +13,7 @@
 
 namespace drape {
 
-void add_list(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
+void add_list(CommandLine& line, std::span<const Experiment> experiments) {
     const auto names = [](std::span<const std::string> all) {
         for (const std::string& name : all) std::cout << name << '\n';
     };
@@ -33,14 +32,10 @@ void add_list(CommandLine& line, std::span<const Experiment> experiments, int& e
         {"volumes", [=] { names(names_of<VolumeKind>()); }},
         {"updates", [=] { names(names_of<UpdateKind>()); }},
         {"fits", [=] { names(names_of<SphereFit>()); }}};
-    std::vector<std::string> known;
-    for (const auto& [name, print] : lists) known.push_back(name);
     auto what = std::make_shared<std::string>();
-    CommandLine& command = line.command("list", "Prints what there is", [what, lists, &exit_code] {
-        lists.at (*what)();
-        exit_code = Done;
-    });
-    command.option("what", *what, "of what", {"WHAT", true, known});
+    CommandLine& command = line.command("list", "Prints what there is", [what, lists] { lists.at (*what)(); });
+    command.option("what", *what, "of what",
+                   {"WHAT", true, names_in(lists, [](const auto& list) { return list.first; })});
 }
 
 }  // namespace drape

@@ -12,11 +12,11 @@ int run(int argc, char** argv) {
     const std::vector<Experiment> experiments = all_experiments();
     int exit_code = Done;
     add_simulate(line, exit_code);
-    add_collide(line, exit_code);
+    add_collide(line);
     add_needs(line, exit_code);
-    add_list(line, experiments, exit_code);
-    add_experiments(line, experiments, exit_code);
-    add_merge(line, experiments, exit_code);
+    add_list(line, experiments);
+    add_experiments(line, experiments);
+    add_merge(line, experiments);
     line.parse(argc, argv);
     return exit_code;
 }

@@ -22,11 +22,6 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
                                  shortened(text), count, real_text(largest_coordinate)));
 }
 
-Points read_positions(const std::string& file, const Grid& grid) {
-    InputFile in(file);
-    return read_positions(in, file, grid);
-}
-
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
     Points x(grid.particles(), 3);
     LineReader reader(in, file, longest_position_line);

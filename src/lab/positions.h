@@ -15,10 +15,8 @@ namespace drape {
 std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where);
 
 /// Reads one x,y,z a line, in particle order.
+/// @param file names it in messages
 /// @throws InputError as `file:line: ...`
-Points read_positions(const std::string& file, const Grid& grid);
-
-/// The same from a stream; `file` names it in messages.
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid);
 
 }  // namespace drape

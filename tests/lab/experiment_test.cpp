@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "drape/base/folder_lock.h"
-#include "lab/experiment/case_selection.h"
 #include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 
@@ -46,8 +45,8 @@ TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     const std::size_t line = part.find("# commit: ");
     foreign.replace(line, part.find('\n', line) - line, "# commit: another");
     const std::pair<std::string, const char*> refused[]{
-        {foreign, "out/stability.csv.part is of another run (commit: another, now "},
-        {"# experiment: stability\ncase,x\n1,2\n", "stability.csv.part:2: these are not the columns of stability"}};
+        {foreign, "out/stability.csv.part is of another run (commit: another, not "},
+        {"# experiment: stability\ncase,x\n1,2\n", "stability.csv.part:2: 'case,x': allowed '# drape: '"}};
     std::filesystem::create_directories(folder.path("out"));
     for (const auto& [text, said] : refused) {
         folder.write("out/stability.csv.part", text);
@@ -150,9 +149,9 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
         EXPECT_EQ(run.code, 2) << run.out;
         return run.err;
     };
-    EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("part 3 of 3 was not found"));
-    EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}), HasSubstr("share 1/3 is there twice"));
-    EXPECT_THAT(refusal({"stability-1-3", "stability-1-2"}), HasSubstr("number of shares is 2, but 3"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("case 159 is missing beside stability-1-3/"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}), HasSubstr("case 157 is in another table, too"));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-1-2"}), HasSubstr("case 157 is in another table, too"));
     EXPECT_THAT(refusal({"nowhere"}), HasSubstr("no table of an experiment in nowhere"));
     folder.write("stability-1-3/stability.csv.part", "");
     EXPECT_THAT(refusal({"stability-1-3"}), HasSubstr("stability.csv.part: not finished"));
@@ -162,14 +161,6 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
     ASSERT_EQ(run_some(folder, {"--share", "1/1"}).code, 0);
     EXPECT_THAT(refusal({"stability-1-1", "--out", "out"}), HasSubstr("an unfinished run is there"));
     EXPECT_EQ(folder.read("out/stability.csv.part"), "of someone");
-}
-
-TEST(Share, TakesEveryCaseOnceAmongAllParts) {
-    for (const std::size_t number : {1u, 5u, 6u, 7u, 100u}) {
-        int takers = 0;
-        for (int k = 1; k <= 3; ++k) takers += parse_share(std::to_string(k) + "/3").has(number) ? 1 : 0;
-        EXPECT_EQ(takers, 1) << number;
-    }
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ using test::LabFolder;
 using test::replaced;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> all = all_experiments();
@@ -26,13 +27,17 @@ const Experiment& experiment_of(const std::string& name) {
     return *std::ranges::find(experiments(), name, &Experiment::name);
 }
 
-/// A cell that its column may have.
-std::string good_cell(const Column& column) { return column.kind == Column::Kind::Word ? column.words.front() : "4"; }
-
-TableRow good_row(const Experiment& experiment) {
-    TableRow row;
-    for (const Column& column : experiment.columns) row.push_back(good_cell(column));
+/// A row with cells that its columns may have.
+Row good_row(const Experiment& experiment) {
+    Row row;
+    for (const Column& column : experiment.columns) {
+        row.set(column.name, column.kind == Column::Kind::Word ? Cell(column.words.front()) : Cell(4));
+    }
     return row;
+}
+
+TableRow good_texts(const Experiment& experiment) {
+    return good_row(experiment).texts(experiment.columns, experiment.digits);
 }
 
 std::size_t place_of(const Experiment& experiment, const std::string& column) {
@@ -53,12 +58,12 @@ struct Text {
     std::string origin =
         "# drape: 0, double precision\n# commit: 1\n# machine: A (R)\n# compiler: g\n# date: 2026-01-01\n";
     std::string settings = "# settings: --quick --cases 3-4\n# cases: 10\n";
-    std::string columns = columns_line(experiment_of("stability")) + "\n";
+    std::string columns = line_with("case", names_in(experiment_of("stability").columns, &Column::name));
     std::string rows = row("3") + row("3") + row("4");
     std::string end = "# end: 2\n";
 
     static std::string row(const std::string& number) {
-        return line_with(number, good_row(experiment_of("stability")));
+        return line_with(number, good_texts(experiment_of("stability")));
     }
     [[nodiscard]] std::string all() const { return experiment + origin + settings + columns + rows + end; }
 };
@@ -79,7 +84,7 @@ std::string refusal(const std::string& text, bool unfinished = false) try {
 
 TEST(TableCheck, NoColumnOfAnyExperimentTakesTextThatIsNoneOfItsWords) {
     for (const Experiment& experiment : experiments()) {
-        const TableRow good = good_row(experiment);
+        const TableRow good = good_texts(experiment);
         ASSERT_EQ(flaw_of(experiment.columns, good), "") << experiment.name;
         for (std::size_t k = 0; k < good.size(); ++k) {
             for (const char* cell : {"banana", "`id`", "'", "\"", "$x", "@x", "\\", "<b>", "1 2", "0x10", "1e999",
@@ -98,7 +103,7 @@ TEST(TableCheck, NamesLineColumnValueAndWhatIsAllowed) {
     const Experiment& stability = experiment_of("stability");
     const auto with = [&](const std::string& column, const std::string& cell) {
         Text text;
-        TableRow row = good_row(stability);
+        TableRow row = good_texts(stability);
         row[place_of(stability, column)] = cell;
         text.rows = Text::row("3") + line_with("3", row) + Text::row("4");
         return refusal(text.all());
@@ -110,7 +115,7 @@ TEST(TableCheck, NamesLineColumnValueAndWhatIsAllowed) {
     EXPECT_EQ(with("agreement", "maybe"),
               "t.csv:11: column agreement: 'maybe': allowed 'agrees', 'disagrees' or 'close'");
     EXPECT_EQ(with("step_s", "1,1"), "t.csv:11: 15 cells: allowed 14");
-    TableRow row = good_row(stability);
+    TableRow row = good_texts(stability);
     row[place_of(stability, "measured_step_s")] = "inf";
     EXPECT_EQ(flaw_of(stability.columns, row), "") << "of a method without a limit";
 }
@@ -130,8 +135,8 @@ TEST(TableCheck, DemandsTheCasesOfItsHeadEachOnceInTheirOrder) {
         EXPECT_THAT(with(three + Text::row(number), "# end: 2\n"), HasSubstr("t.csv:11: column case: '")) << number;
     }
     EXPECT_EQ(with(three, "# end: 1\n"), "t.csv:11: case 4 is missing above");
-    EXPECT_EQ(with(three + four, "# end: 3\n"), "t.csv:12: end = '3': allowed 2, the number of cases above");
-    EXPECT_EQ(with(three + four, "# end: x\n"), "t.csv:12: end = 'x': allowed 2, the number of cases above");
+    EXPECT_EQ(with(three + four, "# end: 3\n"), "t.csv:12: '# end: 3': allowed '# end: 2', the number of cases above");
+    EXPECT_EQ(with(three + four, "# end: x\n"), "t.csv:12: '# end: x': allowed '# end: 2', the number of cases above");
     EXPECT_THAT(with(three + four, ""), HasSubstr("t.csv:11: cut off"));
     for (const std::string after : {"x\n", "\n", "x", "4,`id`\n", "# end: 2\n"}) {
         for (const bool unfinished : {false, true}) {
@@ -145,20 +150,20 @@ TEST(TableCheck, DemandsAHeadThatSaysWhatTheTableIs) {
     const auto with = [&](const std::string& from, const std::string& to) {
         return refusal(replaced(text.all(), from, to));
     };
-    EXPECT_EQ(with(": stability", ": contact"), "t.csv:1: experiment = 'contact': allowed 'stability'");
-    EXPECT_THAT(with("# commit: 1\n", ""), HasSubstr("'# commit: ' is missing above the columns"));
-    EXPECT_EQ(with("# commit: 1\n", "# date: 1\n"), "t.csv:6: date is there twice");
-    EXPECT_THAT(with("# commit: ", "# <b>: "), HasSubstr("t.csv:3: head line '<b>': allowed 'experiment', "));
-    EXPECT_THAT(with("# commit: 1", "# commit"), HasSubstr("allowed '# name: value'"));
+    EXPECT_EQ(with(": stability", ": contact"), "t.csv:8: experiment = 'contact' above: allowed 'stability'");
+    for (const std::string line : {"", "# date: 1\n", "# <b>: 1\n", "# commit\n"}) {
+        EXPECT_THAT(with("# commit: 1\n", line), MatchesRegex("t.csv:3: '# .*': allowed '# commit: ' of a head"));
+    }
     for (const char* count : {"0", "x", "1e3", "100001", ""}) {
-        EXPECT_THAT(with("cases: 10", std::string("cases: ") + count), HasSubstr("': allowed 1 to 100000")) << count;
+        EXPECT_THAT(with("cases: 10", std::string("cases: ") + count), HasSubstr("' above: allowed 1 to 100000"))
+            << count;
     }
     for (const char* settings : {"quick", "", "--quick --share 1/2 --cases 3-4", "--quick  --cases 3-4", "whole x"}) {
-        EXPECT_THAT(with("--quick --cases 3-4", settings), HasSubstr("': allowed 'whole' or '--quick', then"))
+        EXPECT_THAT(with("--quick --cases 3-4", settings), HasSubstr("' above: allowed 'whole' or '--quick', then"))
             << settings;
     }
-    EXPECT_THAT(with("--cases 3-4", "--cases 3-11"), HasSubstr("t.csv:9: the settings above have --cases 3-11"));
-    EXPECT_THAT(with("# cases: 10", "# cases: 4\n# machine: \x1b[2J"), HasSubstr("t.csv:9: byte 12 is no printable"));
+    EXPECT_THAT(with("--cases 3-4", "--cases 3-11"), HasSubstr("t.csv:8: the settings above have --cases 3-11"));
+    EXPECT_THAT(with("A (R)", "\x1b[2J"), HasSubstr("t.csv:4: byte 12 is no printable"));
 }
 
 TEST(TableCheck, EndsEarlyWhereAFileIsTooLargeOrNoText) {
@@ -167,7 +172,9 @@ TEST(TableCheck, EndsEarlyWhereAFileIsTooLargeOrNoText) {
                                   8)),
               "t.csv:1: byte 1 is no printable ASCII character");
     EXPECT_THAT(refusal(""), HasSubstr("there is no table"));
-    EXPECT_THAT(refusal("banana\n"), HasSubstr("t.csv:1: these are not the columns of stability"));
+    EXPECT_THAT(refusal("banana\n"), HasSubstr("t.csv:1: 'banana': allowed '# experiment: ' of a head"));
+    EXPECT_THAT(refusal(replaced(Text().all(), "case,method", "case,way")),
+                HasSubstr("t.csv:9: these are not the columns of stability"));
     Text text;
     EXPECT_THAT(refusal(replaced(text.all(), "A (R)", std::string(20'000, 'a'))),
                 HasSubstr("t.csv:4: too long: allowed 16384 bytes in a line"));
@@ -199,13 +206,13 @@ TEST(TableCheck, ReadsWhatARunHasWrittenAndAnUnfinishedTableThatIsCutOffAnywhere
 TEST(TableCheck, LetsNothingBeWrittenThatCouldNotBeReadBack) {
     const LabFolder folder;
     const Experiment& stability = experiment_of("stability");
-    const ExperimentTable table{head_of(stability, "--quick", 162), {}};
+    const ExperimentTable table{head_of(stability, {.quick = true}, 162), {}};
     TableWriter writer(stability, folder.path("t.csv"), table);
-    TableRow row = good_row(stability);
-    writer.write(1, {row});
-    row[place_of(stability, "step_s")] = "nan";
-    EXPECT_THROW(writer.write(2, {row}), RunError);
-    EXPECT_THROW(writer.write(2, {}), RunError);
+    Row row = good_row(stability);
+    writer.write(1, Rows{row});
+    row.set("step_s", no_number);
+    EXPECT_THROW(writer.write(2, Rows{row}), RunError);
+    EXPECT_THROW(writer.write(2, Rows{}), RunError);
     EXPECT_EQ(folder.read("t.csv.part").find("\n2,"), std::string::npos);
 }
 
@@ -217,14 +224,17 @@ TEST(Summary, HasALineForEachChoiceOfCellsWithTheRangesOfItsRows) {
         .columns = {word_column("kind", {"a", "b"}), number_column("size").or_nan(), number_column("time_s").or_nan()},
         .summary = {{"kind", "size"}, {"time_s"}},
         .parts = {}};
-    const std::string text = summary_of(
-        experiment, {{"b", "8", "0.5"}, {"a", "nan", "3"}, {"b", "8", "nan"}, {"b", "8", "0.1234"}, {"a", "9", "nan"}});
+    const std::string text = summary_of(experiment, {{{"kind", "b"}, {"size", 8}, {"time_s", 0.5}},
+                                                     {{"kind", "a"}, {"size", no_number}, {"time_s", 3}},
+                                                     {{"kind", "b"}, {"size", 8}, {"time_s", no_number}},
+                                                     {{"kind", "b"}, {"size", 8}, {"time_s", 0.1234}},
+                                                     {{"kind", "a"}, {"size", 9}, {"time_s", no_number}}});
     EXPECT_EQ(text, "b, size 8: 3 rows, time_s 0.123 to 0.5\na: 1 row, time_s 3\na, size 9: 1 row\n");
 }
 
 TEST(TableCheck, SummariesAndChartsStandWhateverPassesTheCheck) {
     for (const Experiment& experiment : experiments()) {
-        const std::vector<TableRow> rows(3, good_row(experiment));
+        const Rows rows(3, good_row(experiment));
         EXPECT_NO_THROW(static_cast<void>(summary_of(experiment, rows))) << experiment.name;
         // That of precision refuses a reference that is worth nothing
         try {

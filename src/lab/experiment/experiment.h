@@ -16,12 +16,23 @@ struct Chart {
     /// A number, or words. No other text becomes part of a gnuplot program.
     using Value = std::variant<double, std::string>;
 
-    std::string name;                     ///< of the files, without what follows the dot: letters, digits and '_'
-    std::string caption;                  ///< one sentence or two on what it shows, under the picture
-    std::map<std::string, Value> values;  ///< variables of the script; `table` and `name` are always there
-    std::string data = {};                ///< what more it reads, from the file in the variable `data`
-    std::string script = {};              ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string name;                          ///< of the files, without what follows the dot: letters, digits and '_'
+    std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
+    std::string data = {};                     ///< what more it reads, from the file in the variable `data`
+    std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string caption = {};                  ///< under the picture, after what the script's head says of it
 };
+
+/// What is drawn of some rows of a table.
+using ChartsOfRows = std::function<std::vector<Chart>(const Rows& rows)>;
+
+/// Some charts, whatever the rows are. A script that finds nothing to draw makes no picture.
+inline ChartsOfRows charts_of(std::vector<Chart> charts) {
+    return [charts = std::move(charts)](const Rows&) { return charts; };
+}
+
+/// A chart SCRIPT_WORD for each word that rows have in a column, which is the script's variable of that name.
+ChartsOfRows charts_by(const char* column, const char* script);
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
@@ -29,9 +40,9 @@ using ExperimentCases = std::vector<ExperimentCase>;
 
 /// Some cases, and what is drawn of their rows where there are any. A share may have none.
 struct ExperimentPart {
-    std::string name;  ///< of its rows in the column `part`; empty: they are all
+    std::string name;  ///< that its rows are given in the column `part`; empty: they are all, and there is none
     std::function<ExperimentCases(bool quick)> cases;
-    std::function<std::vector<Chart>(const Rows& rows)> charts;  ///< {}: none
+    ChartsOfRows charts;  ///< {}: none
 };
 
 /// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,
@@ -53,24 +64,22 @@ struct Experiment {
     [[nodiscard]] ExperimentCases cases(bool quick) const;
 
     /// Those of all parts.
-    /// @param table checked
-    [[nodiscard]] std::vector<Chart> charts(const std::vector<TableRow>& table) const;
+    /// @param rows with a cell in every column
+    [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };
 
 /// "rk4, damping, agrees: 28 rows, measured_step_s 0.0012 to 0.0031", line by line, in the order in which they come.
 /// Numbers that there are not are left out.
-std::string summary_of(const Experiment& experiment, const std::vector<TableRow>& rows);
+/// @param rows with a cell in every column
+std::string summary_of(const Experiment& experiment, const Rows& rows);
 
 /// A case for each choice of one value from every list; those of the last list change fastest.
 /// @param run(values...) gives the rows
-template <class Run>
-auto cases_over(const Run& run) {
-    return std::vector{std::function(run)};
-}
+inline ExperimentCases cases_over(const ExperimentCase& run) { return {run}; }
 
 template <class Run, class Value, class... Values>
-auto cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
-    std::vector<std::function<std::invoke_result_t<Run, Value, Values...>()>> all;
+ExperimentCases cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
+    ExperimentCases all;
     for (const Value& value : list) {
         const auto chosen = [=](const Values&... others) { return run(value, others...); };
         std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));

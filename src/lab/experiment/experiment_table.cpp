@@ -6,15 +6,37 @@
 #include <algorithm>
 #include <ctime>
 #include <fstream>
+#include <regex>
+#include <string_view>
 #include <thread>
 
-#include "drape/base/assert.h"
 #include "drape/base/commit.h"
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
+#include "drape/base/numbers.h"
 #include "drape/base/real.h"
+#include "lab/line_reader.h"
 
 namespace drape {
 namespace {
+
+constexpr std::size_t longest_table_line = 16 * 1024;    // bytes: a line of a merged head names every machine
+constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest of a whole run has 5 million
+constexpr long long most_cases = 100'000;
+constexpr std::size_t most_parts = 10000;
+constexpr std::string_view table_end_mark = "# end: ";  // before the number of its cases
+
+/// Two numbers with a mark between.
+/// @throws InputError unless 1 <= first <= second <= most
+std::pair<std::size_t, std::size_t> parse_pair(const std::string& text, char mark, std::size_t most,
+                                               const std::string& option, const char* first, const char* second) {
+    const auto pair = parse_integers(text, mark);
+    if (pair && pair->first >= 1 && pair->first <= pair->second && pair->second <= static_cast<long long>(most)) {
+        return *pair;
+    }
+    throw InputError(fmt::format("{} {}: allowed {}{}{} with 1 <= {} <= {} <= {}", option, shortened(text), first, mark,
+                                 second, first, second, most));
+}
 
 /// The processor and how many cores of it this program may use.
 std::string machine() {
@@ -37,30 +59,166 @@ std::string compiler() {
 #endif
 }
 
-std::string joined(const TableRow& row) {
-    for (const std::string& cell : row) DRAPE_ASSERT(cell.find_first_of(",\n") == std::string::npos);
-    return fmt::format("{}\n", fmt::join(row, ","));
+std::string columns_line(const Experiment& experiment) {
+    std::string line = "case";
+    for (const Column& column : experiment.columns) line += "," + column.name;
+    return line;
 }
 
-/// What is wrong with what a case has computed; empty if nothing is.
-std::string flaw_of_rows(const Experiment& experiment, const std::vector<TableRow>& rows) {
-    if (rows.empty()) return "it has no rows";
-    for (const TableRow& row : rows) {
-        if (const std::string flaw = flaw_of(experiment.columns, row); !flaw.empty()) return flaw;
+/// @param texts without a flaw
+Row row_from(const Columns& columns, const TableRow& texts) {
+    Row row;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        const bool is_word = columns[k].kind == Column::Kind::Word;
+        row.set(columns[k].name, is_word ? Cell(texts[k]) : Cell(parse_real(texts[k]).value_or(no_number)));
     }
-    return "";
+    return row;
 }
+
+/// Reads a table line after line, and checks each.
+class TableReader {
+public:
+    TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
+        : experiment_(experiment), reader_(in, name, longest_table_line), unfinished_(unfinished) {}
+
+    /// @return empty where it is cut off before its head ends
+    TableHead read_head() {
+        TableHead head;
+        for (const std::string name :
+             {"experiment", "drape", "commit", "machine", "compiler", "date", "settings", "cases"}) {
+            if (!next()) return {};
+            const std::string mark = "# " + name + ": ";
+            if (!line().starts_with(mark)) reader_.fail("'{}': allowed '{}' of a head", shortened(line()), mark);
+            head.emplace_back(name, line().substr(mark.size()));
+        }
+        return head;
+    }
+
+    /// Reads all of it.
+    std::optional<ExperimentTable> read() {
+        ExperimentTable table{read_head(), {}};
+        const auto wanted = table.head.empty() ? std::vector<std::size_t>{} : cases_of(table.head);
+        if (table.head.empty() || !next()) {
+            if (unfinished_) return {};
+            reader_.fail("there is no table");
+        }
+        if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
+        while (next()) {
+            if (line().starts_with(table_end_mark)) {
+                check_end(table.cases.size(), wanted);
+                return table;
+            }
+            const auto cells = split_at_commas(line());
+            if (cells.size() != experiment_.columns.size() + 1) {
+                reader_.fail("{} cells: allowed {}", cells.size(), experiment_.columns.size() + 1);
+            }
+            const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
+            const TableRow texts(cells.begin() + 1, cells.end());
+            if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) reader_.fail("{}", flaw);
+            table.cases[number].push_back(row_from(experiment_.columns, texts));
+        }
+        if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
+        // Its last rows may be missing. Cases are computed in ascending order
+        if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
+        return table;
+    }
+
+private:
+    [[nodiscard]] const std::string& line() const { return reader_.line(); }
+
+    /// False at the end, or where an unfinished table is cut off.
+    bool next() {
+        const LineEnd end = reader_.next();
+        if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
+        if (end == LineEnd::CutOff) reader_.fail("cut off");
+        const auto foreign = std::ranges::find_if(line(), [](char c) { return c < ' ' || c > '~'; });
+        if (foreign != line().end()) {
+            reader_.fail("byte {} is no printable ASCII character", foreign - line().begin() + 1);
+        }
+        return true;
+    }
+
+    /// The numbers of the cases that a table with this head has when it is finished.
+    [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const {
+        const auto demand = [&](const std::string& name, bool good, const std::string& allowed) {
+            if (!good) reader_.fail("{} = '{}' above: allowed {}", name, shortened(line_of(head, name)), allowed);
+        };
+        const long long count = parse_integer(line_of(head, "cases")).value_or(0);
+        const auto selection = parse_selection(line_of(head, "settings"));
+        demand("experiment", line_of(head, "experiment") == experiment_.name, "'" + experiment_.name + "'");
+        demand("settings", selection.has_value(),
+               "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
+        demand("cases", count >= 1 && count <= most_cases, fmt::format("1 to {}", most_cases));
+        try {
+            return selection->numbers(static_cast<std::size_t>(count));
+        } catch (const InputError& error) {
+            reader_.fail("the settings above have {}", error.what());
+        }
+    }
+
+    /// The case of a row: that of the row above, or the one that follows it.
+    /// @param begun how many of those wanted there are above
+    [[nodiscard]] std::size_t case_of(std::string_view cell, std::size_t begun,
+                                      const std::vector<std::size_t>& wanted) const {
+        std::vector<std::string> allowed;
+        for (std::size_t k = begun > 0 ? begun - 1 : 0; k <= begun && k < wanted.size(); ++k) {
+            allowed.push_back(std::to_string(wanted[k]));
+            if (cell == allowed.back()) return wanted[k];
+        }
+        reader_.fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
+                     allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
+    }
+
+    /// At the line that begins as the last one does.
+    /// @param there how many cases are above
+    void check_end(std::size_t there, const std::vector<std::size_t>& wanted) const {
+        const std::string end = fmt::format("{}{}", table_end_mark, there);
+        if (line() != end) reader_.fail("'{}': allowed '{}', the number of cases above", shortened(line()), end);
+        if (there < wanted.size()) reader_.fail("case {} is missing above", wanted[there]);
+        if (!reader_.at_end()) reader_.fail("there is more after the end");
+    }
+
+    const Experiment& experiment_;
+    LineReader reader_;
+    bool unfinished_;
+};
 
 }  // namespace
 
-TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases) {
+std::string CaseSelection::text() const {
+    std::string all = quick ? "--quick" : "whole";
+    if (!cases.empty()) all += " --cases " + cases;
+    if (!share.empty()) all += " --share " + share;
+    return all;
+}
+
+std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
+    const auto range =
+        parse_pair(cases.empty() ? fmt::format("1-{}", count) : cases, '-', count, "--cases", "FIRST", "LAST");
+    const auto part = parse_pair(share.empty() ? "1/1" : share, '/', most_parts, "--share", "K", "N");
+    std::vector<std::size_t> wanted;
+    for (std::size_t number = range.first; number <= range.second; ++number) {
+        if (number % part.second == part.first % part.second) wanted.push_back(number);
+    }
+    return wanted;
+}
+
+std::optional<CaseSelection> parse_selection(const std::string& text) {
+    static const std::regex form("(--quick|whole)(?: --cases ([^ ]+))?(?: --share ([^ ]+))?");
+    std::smatch parts;
+    // The matcher's depth is that of the text
+    if (text.size() > 1000 || !std::regex_match(text, parts, form)) return {};
+    return CaseSelection{parts[1] == "--quick", parts[2], parts[3]};
+}
+
+TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases) {
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
             {"commit", commit()},
             {"machine", machine()},
             {"compiler", compiler()},
             {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
-            {"settings", settings},
+            {"settings", selection.text()},
             {"cases", std::to_string(cases)}};
 }
 
@@ -71,16 +229,38 @@ std::string line_of(const TableHead& head, const std::string& name) {
     return "";
 }
 
-std::vector<TableRow> ExperimentTable::rows() const {
-    std::vector<TableRow> all;
+std::string difference(const TableHead& head, const TableHead& wanted, const std::set<std::string>& but) {
+    for (const auto& [key, value] : wanted) {
+        const std::string there = line_of(head, key);
+        if (there != value && !but.contains(key)) return key + ": " + there + ", not " + value;
+    }
+    return "";
+}
+
+Rows ExperimentTable::rows() const {
+    Rows all;
     for (const auto& [number, rows] : cases) all.insert(all.end(), rows.begin(), rows.end());
     return all;
 }
 
-std::string columns_line(const Experiment& experiment) {
-    std::string line = "case";
-    for (const Column& column : experiment.columns) line += "," + column.name;
-    return line;
+std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
+                                          bool unfinished) {
+    return TableReader(experiment, in, name, unfinished).read();
+}
+
+std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
+                                          bool unfinished) {
+    if (!exists(file)) return {};
+    InputFile in(file.string(), largest_table, InputKind::Regular);
+    return read_table(experiment, in, file.string(), unfinished);
+}
+
+TableHead read_head(const Experiment& experiment, const std::filesystem::path& file) try {
+    if (!exists(file)) return {};
+    InputFile in(file.string(), largest_table, InputKind::Regular);
+    return TableReader(experiment, in, file.string(), true).read_head();
+} catch (const InputError&) {
+    return {};
 }
 
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
@@ -94,13 +274,15 @@ TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::pa
     out_.take_name();
 }
 
-void TableWriter::write(std::size_t number, const std::vector<TableRow>& rows) {
-    // A table that could not be read back is none
-    if (const std::string flaw = flaw_of_rows(experiment_, rows); !flaw.empty()) {
-        throw RunError(experiment_.name + ": case " + std::to_string(number) + ": " + flaw);
+void TableWriter::write(std::size_t number, const Rows& rows) {
+    std::string text, flaw = rows.empty() ? "it has no rows" : "";
+    for (const Row& row : rows) {
+        const TableRow texts = row.texts(experiment_.columns, experiment_.digits);
+        if (flaw.empty()) flaw = flaw_of(experiment_.columns, texts);
+        text += fmt::format("{},{}\n", number, fmt::join(texts, ","));
     }
-    std::string text;
-    for (const TableRow& row : rows) text += std::to_string(number) + "," + joined(row);
+    // A table that could not be read back is none
+    if (!flaw.empty()) throw RunError(fmt::format("{}: case {}: {}", experiment_.name, number, flaw));
     ++cases_;
     out_.stream() << text;
     out_.flush();

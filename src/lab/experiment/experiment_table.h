@@ -4,8 +4,8 @@
 #include <istream>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,23 +14,44 @@
 
 namespace drape {
 
+/// Which cases of an experiment a run computes, as its options say it and its table's head.
+struct CaseSelection {
+    bool quick = false;
+    std::string cases = {};  ///< "FIRST-LAST"; empty for all
+    std::string share = {};  ///< "K/N", the K-th of N parts: K, K + N, K + 2N, ...; empty for all
+
+    /// "--quick --cases 3-7 --share 1/2", or "whole" in place of "--quick".
+    [[nodiscard]] std::string text() const;
+
+    /// The numbers of the cases, ascending from 1.
+    /// @param count of all cases that there are
+    /// @throws InputError that names the option if a part of it is none
+    [[nodiscard]] std::vector<std::size_t> numbers(std::size_t count) const;
+};
+
+/// Reads what `text` has written; nothing if it is anything else. What the options say is not looked at.
+std::optional<CaseSelection> parse_selection(const std::string& text);
+
 /// What a table says of where it is from, a line each: "machine", "Intel ...".
 using TableHead = std::vector<std::pair<std::string, std::string>>;
 
 /// The head of a table that is computed here and now.
-/// @param settings that say which cases: "--quick"
-TableHead head_of(const Experiment& experiment, const std::string& settings, std::size_t cases);
+/// @param cases that there are in all
+TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases);
 
 /// The line of that name; empty if there is none.
 std::string line_of(const TableHead& head, const std::string& name);
 
-/// A table in a file: head, names of columns, and the rows of each case in its first column.
+/// The first line in which two heads differ, but for some that may: "commit: A, not B"; empty if there is none.
+std::string difference(const TableHead& head, const TableHead& wanted, const std::set<std::string>& but);
+
+/// A table in a file: head, names of columns, and the rows of each case, with its number before them.
 struct ExperimentTable {
     TableHead head;
-    std::map<std::size_t, std::vector<TableRow>> cases;  ///< rows by number of the case, from 1
+    std::map<std::size_t, Rows> cases;  ///< rows by number of the case, from 1
 
-    /// The rows of all cases in their order, without the number of the case.
-    [[nodiscard]] std::vector<TableRow> rows() const;
+    /// The rows of all cases in their order.
+    [[nodiscard]] Rows rows() const;
 };
 
 /// Reads a table that an experiment has written, as `TableWriter` writes it, and checks all of it: head, columns, every
@@ -50,14 +71,8 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
                                           bool unfinished);
 
 /// The head of a table whose rows are not looked at.
-/// @return nothing if there is no such file, or it does not begin as a table of this experiment
-std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file);
-
-/// With which the last line of a table begins, before the number of its cases.
-inline constexpr std::string_view table_end_mark = "# end: ";
-
-/// The line of a table that names its columns.
-std::string columns_line(const Experiment& experiment);
+/// @return empty if there is no such file, or it does not begin with a head
+TableHead read_head(const Experiment& experiment, const std::filesystem::path& file);
 
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {
@@ -67,8 +82,8 @@ public:
     TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table);
 
     /// All of a case reaches the file, or counts as not done.
-    /// @throws RunError if it cannot be written, or if a cell is not what its column may have
-    void write(std::size_t number, const std::vector<TableRow>& rows);
+    /// @throws RunError if it cannot be written, has no rows, or a cell that is not what its column may have
+    void write(std::size_t number, const Rows& rows);
 
     /// Closes the table with the number of its cases, and gives the file its name. What has that name is kept under a
     /// numbered one.

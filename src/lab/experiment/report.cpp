@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
@@ -17,18 +18,16 @@
 namespace drape {
 namespace {
 
-/// Whether a text has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
-bool is_plain(const std::string& text, std::string_view others) {
-    return std::ranges::all_of(text, [others](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               others.find(c) != std::string_view::npos;
-    });
+/// A text that has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
+std::string checked(const std::string& text, const std::string& others) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_" + others;
+    if (text.find_first_not_of(plain) == std::string::npos) return text;
+    throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
 }
 
-std::string checked(const std::string& text, std::string_view others = "_") {
-    if (text.empty() && others == "_") throw RunError("a chart's value has no name");
-    if (!is_plain(text, others)) throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
-    return text;
+std::string checked_name(const std::string& text) {
+    if (text.empty()) throw RunError("a chart's value has no name");
+    return checked(text, "");
 }
 
 std::string text_of(double number) {
@@ -36,20 +35,38 @@ std::string text_of(double number) {
     return real_text(number);
 }
 
-std::string text_of(const std::string& words) { return "'" + checked(words, "_ :.+-") + "'"; }
+std::string text_of(const std::string& words) { return "'" + checked(words, " :.+-") + "'"; }
 
-void add_script(OutputFile& file, const std::string& name) {
+std::string script_text(const std::string& name) {
     std::ifstream script(find_resource("charts/" + name + ".gp"));
-    file.stream() << '\n' << script.rdbuf();
+    std::ostringstream text;
+    text << script.rdbuf();
     if (!script) throw RunError("charts/" + name + ".gp cannot be read");
+    return text.str();
 }
 
-/// @return false if there is no gnuplot
-bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& table) {
+/// What the head of a script says that its chart shows, in lines that begin with a mark; then more.
+std::string caption_of(const std::string& script, const std::string& more) {
+    constexpr std::string_view mark = "# caption: ";
+    std::istringstream text(script);
+    std::vector<std::string> parts;
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with(mark)) parts.push_back(line.substr(mark.size()));
+    }
+    if (!more.empty()) parts.push_back(more);
+    return in_words(parts);
+}
+
+/// The exit code of a script that finds nothing to draw in its table.
+constexpr int nothing_to_draw = 3;
+
+/// @return the charts that were drawn, with all of their captions
+std::vector<Chart> drawn(const std::vector<Chart>& charts, const std::filesystem::path& table) {
     // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
     const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
+    std::vector<Chart> done;
     for (Chart chart : charts) {
-        const std::string name = checked(chart.name), script = name + ".gnuplot";
+        const std::string name = checked_name(chart.name), script = name + ".gnuplot";
         chart.values.insert({{"name", name}, {"table", table.filename().string()}});
         if (!chart.data.empty()) {
             chart.values["data"] = name + "_data.csv";
@@ -57,18 +74,24 @@ bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& 
             data.stream() << chart.data;
             data.close();
         }
+        const std::string own = script_text(chart.script.empty() ? name : chart.script);
+        chart.caption = caption_of(own, chart.caption);
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
-                      << assignments_of(chart);
-        add_script(file, "common");
-        add_script(file, chart.script.empty() ? name : chart.script);
-        file.stream() << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
+                      << assignments_of(chart) << '\n'
+                      << script_text("common") << '\n'
+                      << own << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
         file.close();
         const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
-        if (!code) return false;
+        if (!code) {
+            std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
+            return {};
+        }
+        if (*code == nothing_to_draw) continue;
         if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
+        done.push_back(chart);
     }
-    return true;
+    return done;
 }
 
 constexpr const char* style =
@@ -126,7 +149,7 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
 std::string assignments_of(const Chart& chart) {
     std::string text;
     for (const auto& [name, value] : chart.values) {
-        text += checked(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
+        text += checked_name(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
     }
     return text;
 }
@@ -135,12 +158,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    auto charts = experiment.charts(rows);
-    if (!draw_charts(charts, file)) {
-        std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
-        charts.clear();
-    }
-    write_report_page(experiment, table.head, charts, summary, file);
+    write_report_page(experiment, table.head, drawn(experiment.charts(rows), file), summary, file);
 }
 
 }  // namespace drape

@@ -2,9 +2,65 @@
 
 #include <fmt/ranges.h>
 
+#include <cmath>
+
+#include "drape/base/assert.h"
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 
 namespace drape {
+namespace {
+
+/// The name of a quartile's column beside that of its median: NAME_lower_UNIT.
+std::string quartile_name(const std::string& column, const char* mark) {
+    return std::string(column).insert(column.find('_'), mark);
+}
+
+bool has_word(const Column& column, const std::string& cell) {
+    return std::ranges::find(column.words, cell) != column.words.end();
+}
+
+bool has_number(const Column& column, const std::string& cell) {
+    constexpr double most_whole = 9007199254740992;  // 2^53: up to here a double tells all whole numbers apart
+    const auto number = parse_real(cell);
+    if (column.kind == Column::Kind::Word || !number || !std::isfinite(*number)) return false;
+    if (column.kind == Column::Kind::Whole && (*number != std::floor(*number) || *number > most_whole)) return false;
+    return column.kind == Column::Kind::Positive ? *number > column.least : *number >= column.least;
+}
+
+/// What a cell may be, as a message says it.
+std::string allowed_in(const Column& column) {
+    if (column.kind == Column::Kind::Word) return listed(column.words);
+    const std::string text = fmt::format("a {} number {} {}", column.kind == Column::Kind::Whole ? "whole" : "finite",
+                                         column.kind == Column::Kind::Positive ? ">" : ">=", real_text(column.least));
+    return column.words.empty() ? text : text + ", or " + listed(column.words);
+}
+
+}  // namespace
+
+Column Column::or_words(const std::vector<std::string>& others) const {
+    Column more = *this;
+    more.words.insert(more.words.end(), others.begin(), others.end());
+    return more;
+}
+
+Columns Column::with_quartiles() const {
+    Columns three{*this};
+    for (const char* mark : {"_lower", "_upper"}) {
+        three.push_back(*this);
+        three.back().name = quartile_name(name, mark);
+    }
+    return three;
+}
+
+std::string flaw_of(const Columns& columns, const TableRow& row) {
+    DRAPE_ASSERT(row.size() == columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (has_word(columns[k], row[k]) || has_number(columns[k], row[k])) continue;
+        return "column " + columns[k].name + ": '" + shortened(row[k]) + "': allowed " + allowed_in(columns[k]);
+    }
+    return "";
+}
 
 void Row::set(const std::string& column, const Cell& cell) {
     cells_.insert_or_assign(column, cell);
@@ -19,34 +75,27 @@ void Row::set(const Row& other) {
     for (const auto& [column, cell] : other.cells_) set(column, cell);
 }
 
+std::string Row::text(const Column& column, int digits) const {
+    const auto found = cells_.find(column.name);
+    const bool is_word = column.kind == Column::Kind::Word;
+    const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
+    if (is_word != std::holds_alternative<std::string>(cell)) {
+        throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
+    }
+    if (is_word) return std::get<std::string>(cell);
+    const double number = std::get<double>(cell);
+    if (std::isnan(number) && has_word(column, "")) return "";
+    return real_text(number, column.kind == Column::Kind::Whole ? 17 : digits);
+}
+
 TableRow Row::texts(const Columns& columns, int digits) const {
     for (const auto& [name, cell] : cells_) {
         if (std::ranges::find(columns, name, &Column::name) != columns.end()) continue;
         throw RunError("a row has a cell for '" + name + "', and its table no such column");
     }
     TableRow texts;
-    for (const Column& column : columns) {
-        const auto found = cells_.find(column.name);
-        const bool is_word = column.kind == Column::Kind::Word;
-        const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
-        if (is_word != std::holds_alternative<std::string>(cell)) {
-            throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
-        }
-        texts.push_back(is_word ? std::get<std::string>(cell) : column.cell(std::get<double>(cell), digits));
-    }
+    for (const Column& column : columns) texts.push_back(text(column, digits));
     return texts;
-}
-
-Rows rows_of(const Columns& columns, const std::vector<TableRow>& table) {
-    Rows rows;
-    for (const TableRow& texts : table) {
-        Row& row = rows.emplace_back();
-        for (std::size_t k = 0; k < columns.size(); ++k) {
-            const bool word = columns[k].kind == Column::Kind::Word;
-            row.set(columns[k].name, word ? Cell(texts[k]) : Cell(number_in(texts[k])));
-        }
-    }
-    return rows;
 }
 
 Rows rows_with(Rows rows, const char* column, const std::string& word) {

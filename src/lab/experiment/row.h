@@ -6,13 +6,75 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
-#include "column.h"
+#include "drape/base/enum_names.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
+
+struct Columns;
+
+/// A column of a table, and what its cells may be: one of some words, or a finite number within a range. Nothing else
+/// is written into a table, and nothing else is read from one. There is no column of free text.
+struct Column {
+    enum class Kind { Word, Whole, Number, Positive };
+
+    std::string name;
+    Kind kind = Kind::Word;
+    std::vector<std::string> words = {};  ///< those allowed; in a column of numbers, what may stand in place of one
+    double least = 0;                     ///< of a number; a positive one is more
+
+    /// The same column, in which such words may also stand.
+    [[nodiscard]] Column or_words(const std::vector<std::string>& others) const;
+
+    /// The same column, in which "nan" may also stand: there is no such number. Some processors give what 0/0 is a
+    /// sign.
+    [[nodiscard]] Column or_nan() const { return or_words({"nan", "-nan"}); }
+
+    /// The same column as that of a median NAME_UNIT, and those of its quartiles, NAME_lower_UNIT and NAME_upper_UNIT.
+    [[nodiscard]] Columns with_quartiles() const;
+};
+
+/// The columns of a table, one after the other.
+struct Columns : std::vector<Column> {
+    Columns(const Column& column) { push_back(column); }
+    Columns(std::initializer_list<Columns> parts) {
+        for (const Columns& part : parts) insert(end(), part.begin(), part.end());
+    }
+};
+
+/// A column of known words.
+inline Column word_column(std::string name, std::vector<std::string> words) {
+    return {.name = std::move(name), .words = std::move(words)};
+}
+
+/// A column of the names of an enumeration's values, and others.
+template <NamedEnum Enum>
+Column name_column(std::string name, const std::vector<std::string>& others = {}) {
+    const auto names = names_of<Enum>();
+    return word_column(std::move(name), {names.begin(), names.end()}).or_words(others);
+}
+
+/// A column of whole numbers.
+inline Column whole_column(std::string name, double least = 0) {
+    return {.name = std::move(name), .kind = Column::Kind::Whole, .least = least};
+}
+
+/// A column of numbers that are not negative.
+inline Column number_column(std::string name) { return {std::move(name), Column::Kind::Number}; }
+
+/// A column of numbers above zero.
+inline Column positive_column(std::string name) { return {std::move(name), Column::Kind::Positive}; }
+
+/// One line of an experiment's table, a text a column.
+using TableRow = std::vector<std::string>;
+
+/// What is wrong with the cells of a row: "column NAME: 'value': allowed ..."; empty if nothing is.
+/// @param row as many cells as there are columns
+std::string flaw_of(const Columns& columns, const TableRow& row);
 
 /// What a row has in a column: a number, a word, or a median and its quartiles, which are cells of their own.
 struct Cell : std::variant<double, std::string, Quartiles> {
@@ -43,9 +105,13 @@ public:
     [[nodiscard]] double number(const std::string& column) const { return std::get<double>(cells_.at(column)); }
     [[nodiscard]] std::string word(const std::string& column) const { return std::get<std::string>(cells_.at(column)); }
 
-    /// The texts of its cells.
+    /// The text of its cell in a column.
     /// @param digits of a number that is not a whole one
-    /// @throws RunError if it has a cell that no column has, or a word for a number
+    /// @throws RunError if it is a word for a number, or a number for a word
+    [[nodiscard]] std::string text(const Column& column, int digits) const;
+
+    /// Those of all its cells.
+    /// @throws RunError also if it has a cell that no column has
     [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
 
 private:
@@ -54,19 +120,11 @@ private:
 
 using Rows = std::vector<Row>;
 
-/// The rows of a checked table.
-Rows rows_of(const Columns& columns, const std::vector<TableRow>& table);
-
-// What rows are sorted, grouped and told by.
+// What rows are sorted and told by.
 
 /// The number in a column of a row.
 inline auto number_of(const char* column) {
     return [column](const Row& row) { return row.number(column); };
-}
-
-/// The word in a column of a row.
-inline auto word_of(const char* column) {
-    return [column](const Row& row) { return row.word(column); };
 }
 
 /// Rows that have a word in a column.
@@ -81,8 +139,8 @@ std::vector<std::string> names_in(const Items& items, Name name) {
 }
 
 /// The words that a function has for rows, each once, in the order in which they come.
-template <class Item, class Word>
-std::vector<std::string> words_of(const std::vector<Item>& rows, Word word) {
+template <class Word>
+std::vector<std::string> words_of(const Rows& rows, Word word) {
     std::vector<std::string> words;
     for (const std::string& one : names_in(rows, word)) {
         if (std::ranges::find(words, one) == words.end()) words.push_back(one);
@@ -92,15 +150,7 @@ std::vector<std::string> words_of(const std::vector<Item>& rows, Word word) {
 
 /// The words that rows have in a column.
 inline std::vector<std::string> words_of(const Rows& rows, const char* column) {
-    return words_of(rows, word_of(column));
-}
-
-/// Rows by what a function has for them.
-template <class Item, class Key>
-auto groups_of(const std::vector<Item>& rows, Key key) {
-    std::map<std::decay_t<std::invoke_result_t<Key, const Item&>>, std::vector<Item>> groups;
-    for (const Item& row : rows) groups[std::invoke(key, row)].push_back(row);
-    return groups;
+    return words_of(rows, [column](const Row& row) { return row.word(column); });
 }
 
 /// A list of words for the script of a chart: "drop curtain".

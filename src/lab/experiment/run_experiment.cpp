@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 
-#include "case_selection.h"
 #include "drape/base/command_line.h"
 #include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"
@@ -31,15 +29,6 @@ std::filesystem::path folder_of(const Experiment& experiment, const RunOptions& 
     return name;
 }
 
-/// The first line in which another run differs, but for the date; nothing if it is the same.
-std::optional<std::string> difference(const TableHead& head, const TableHead& other) {
-    for (const auto& [key, value] : head) {
-        const std::string there = line_of(other, key);
-        if (key != "date" && there != value) return key + ": " + there + ", now " + value;
-    }
-    return {};
-}
-
 /// One page and one table a folder.
 void check_alone(const Experiment& experiment, std::span<const Experiment> all, const std::filesystem::path& folder) {
     for (const Experiment& other : all) {
@@ -48,26 +37,13 @@ void check_alone(const Experiment& experiment, std::span<const Experiment> all, 
     }
 }
 
-/// The finished table of the same program, machine and settings, if there is one; anything else is none of ours.
-/// @throws InputError if its head says that it is, and its rows are not
-std::optional<ExperimentTable> finished(const Experiment& experiment, const TableHead& head,
-                                        const std::filesystem::path& file) {
-    const auto there = read_head(experiment, file);
-    if (!there || difference(head, *there)) return {};
-    try {
-        return read_table(experiment, file, false);
-    } catch (const InputError& error) {
-        throw InputError(error.what(), "--again computes it once more, and keeps this one under another name");
-    }
-}
-
 /// What an interrupted run of the same program, machine and settings has left, or an empty table.
 ExperimentTable resumed(const Experiment& experiment, const TableHead& head, const std::filesystem::path& file) {
     const auto part = unfinished_name(file);
     auto left = read_table(experiment, part, true);
     if (!left) return {head, {}};
-    if (const auto differs = difference(head, left->head)) {
-        throw InputError(part.string() + " is of another run (" + *differs +
+    if (const auto differs = difference(left->head, head, {"date"}); !differs.empty()) {
+        throw InputError(part.string() + " is of another run (" + differs +
                          "): finish that one, remove it, or name another folder by --out");
     }
     if (!left->cases.empty()) {
@@ -76,7 +52,31 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
     return *left;
 }
 
-int run(const Experiment& experiment, std::span<const Experiment> all, const RunOptions& options) {
+/// Computes the cases that are missing.
+void compute(const Experiment& experiment, const ExperimentCases& cases, const std::vector<std::size_t>& wanted,
+             const TableHead& head, const std::filesystem::path& file) {
+    const ExperimentTable done = resumed(experiment, head, file);
+    TableWriter writer(experiment, file, done);
+    const Stopwatch watch;
+    Progress progress(wanted.size() - done.cases.size(), "case");
+    for (const std::size_t number : wanted) {
+        if (done.cases.contains(number)) continue;
+        writer.write(number, cases[number - 1]());
+        progress.advance();
+    }
+    progress.clear();
+    writer.finish();
+    tell(file.string() + ": " + std::to_string(wanted.size() - done.cases.size()) + " cases in " +
+         real_text(watch.seconds(), 3) + " s");
+}
+
+ExperimentTable finished(const Experiment& experiment, const std::filesystem::path& file) try {
+    return read_table(experiment, file, false).value();
+} catch (const InputError& error) {
+    throw InputError(error.what(), "--again computes it once more, and keeps this one under another name");
+}
+
+void run(const Experiment& experiment, std::span<const Experiment> all, const RunOptions& options) {
     const auto cases = experiment.cases(options.selection.quick);
     const auto wanted = options.selection.numbers(cases.size());
     const std::filesystem::path folder = folder_of(experiment, options);
@@ -85,45 +85,24 @@ int run(const Experiment& experiment, std::span<const Experiment> all, const Run
     check_alone(experiment, all, folder);
     const auto file = folder / (experiment.name + ".csv");
     const FolderLock lock(file);
-    const TableHead head = head_of(experiment, options.selection.text(), cases.size());
-    if (!options.again && !exists(unfinished_name(file))) {
-        if (const auto done = finished(experiment, head, file)) {
-            tell(file.string() + ": all cases are there already; --again computes them once more");
-            present(experiment, *done, file);
-            return Done;
-        }
-    }
-    ExperimentTable table = resumed(experiment, head, file);
-    TableWriter writer(experiment, file, table);
-
-    const Stopwatch watch;
-    const std::size_t before = table.cases.size();
-    {
-        Progress progress(wanted.size() - before, "case");
-        for (const std::size_t number : wanted) {
-            if (table.cases.contains(number)) continue;
-            std::vector<TableRow> rows;
-            for (const Row& row : cases[number - 1]()) rows.push_back(row.texts(experiment.columns, experiment.digits));
-            writer.write(number, rows);
-            table.cases[number] = std::move(rows);
-            progress.advance();
-        }
-    }
-    writer.finish();
-    tell(file.string() + ": " + std::to_string(table.cases.size() - before) + " cases in " +
-         real_text(watch.seconds(), 3) + " s");
+    const TableHead head = head_of(experiment, options.selection, cases.size());
+    // The finished table of the same program, machine and settings is used; anything else is none of ours
+    const bool is_done = !options.again && !exists(unfinished_name(file)) &&
+                         difference(read_head(experiment, file), head, {"date"}).empty();
+    if (!is_done) compute(experiment, cases, wanted, head, file);
+    const ExperimentTable table = finished(experiment, file);
+    if (is_done) tell(file.string() + ": all cases are there already; --again computes them once more");
     present(experiment, table, file);
-    return Done;
 }
 
 }  // namespace
 
-void add_experiments(CommandLine& line, std::span<const Experiment> experiments, int& exit_code) {
+void add_experiments(CommandLine& line, std::span<const Experiment> experiments) {
     for (const Experiment& experiment : experiments) {
         auto options = std::make_shared<RunOptions>();
-        CommandLine& command = line.command(
-            experiment.name, "Experiment: " + experiment.question,
-            [&experiment, experiments, options, &exit_code] { exit_code = run(experiment, experiments, *options); });
+        CommandLine& command =
+            line.command(experiment.name, "Experiment: " + experiment.question,
+                         [&experiment, experiments, options] { run(experiment, experiments, *options); });
         command.option("--out", options->folder,
                        "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given", {"DIR"});
         command.flag("--quick", options->selection.quick, "fewer and smaller cases");

@@ -11,13 +11,11 @@ class CommandLine;
 
 /// Adds a subcommand for each experiment, which writes NAME.csv, index.html and, where there is gnuplot, the charts.
 /// @param experiments outlive the parsing of the command line
-/// @param exit_code set when the subcommand has run
-void add_experiments(CommandLine& line, std::span<const Experiment> experiments, int& exit_code);
+void add_experiments(CommandLine& line, std::span<const Experiment> experiments);
 
 /// Adds the subcommand that joins the tables of shares into that of a single run.
 /// @param experiments outlive the parsing of the command line
-/// @param exit_code set when the subcommand has run
-void add_merge(CommandLine& line, std::span<const Experiment> experiments, int& exit_code);
+void add_merge(CommandLine& line, std::span<const Experiment> experiments);
 
 /// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
 /// " _:.+-" in single quotes.

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <array>
 
 #include "drape/base/input_error.h"
@@ -59,24 +57,6 @@ Rows run_kernels_case(int side, int steps) {
     return rows;
 }
 
-std::vector<Chart> kernels_charts(const Rows& rows) {
-    std::string ratios = "stage,particles,ratio\n";
-    for (const Row& plain : rows_with(rows, "kernels", "plain")) {
-        for (const Row& vector : rows_with(rows, "kernels", "vector")) {
-            const bool pair =
-                vector.word("stage") == plain.word("stage") && vector.number("particles") == plain.number("particles");
-            if (!pair || !(vector.number("time_s") > 0)) continue;
-            ratios += fmt::format("{},{},{:.6g}\n", plain.word("stage"), plain.number("particles"),
-                                  plain.number("time_s") / vector.number("time_s"));
-        }
-    }
-    return {{"kernels",
-             "Wall time of the stages of a step by vector kernels and by the plain core, medians with quartiles over "
-             "steps that were made in turn, and how many times as long the plain core takes.",
-             {{"stages", in_words(words_of(rows, "stage"))}},
-             ratios}};
-}
-
 }  // namespace
 
 Experiment kernels_experiment() {
@@ -90,7 +70,7 @@ Experiment kernels_experiment() {
             {word_column("stage", names_in(stages, &Stage::name)), name_column<Kernels>("kernels"),
              whole_column("particles", 4), number_column("time_s").with_quartiles()},
             {{"stage", "particles", "kernels"}, {"time_s"}},
-            {{"", cases, kernels_charts}}};
+            {{"", cases, charts_of({{.name = "kernels"}})}}};
 }
 
 }  // namespace drape

@@ -108,8 +108,6 @@ std::vector<Chart> ladder_charts(const Rows& rows) {
     for (const std::string& scene : words_of(rows, "scene")) {
         charts.push_back(
             {"minimal_" + scene,
-             "What was taken away from the full model of a scene, one notch after the other, until one "
-             "notch less of anything breaks its need.",
              {{"scene", scene}, {"allowed", rows_with(rows, "scene", scene).front().number("allowed_error")}},
              {},
              "minimal_ladder"});
@@ -118,10 +116,7 @@ std::vector<Chart> ladder_charts(const Rows& rows) {
 }
 
 std::vector<Chart> budget_charts(const Rows& rows) {
-    Chart chart{"minimal_budget",
-                "How far the motion of a scene moves where one knob is as in its full model (the step: half as long), "
-                "and how many times the scene's cost that is.",
-                {{"scenes", in_words(words_of(rows, "scene"))}}};
+    Chart chart{"minimal_budget", {{"scenes", in_words(words_of(rows, "scene"))}}};
     for (const Row& row : rows_with(rows, "changed", "none")) {
         chart.values["cost_" + row.word("scene")] = row.number("cost_s_per_s");
     }

@@ -37,27 +37,24 @@ std::optional<ObservedOrder> order_of(const Rows& method) {
     return observed_order(errors);
 }
 
+/// What the caption says of the reference of a scene, and of averages.
 std::string caption_of(const Row& scene) {
     const double phases = scene.number("phases");
     const std::string averaged =
         phases == 1 ? ""
                     : fmt::format(
-                          " Errors are averaged over {} phases of the first impact within a step; from that impact on, "
-                          "every method is of order 1.",
+                          "Errors are averaged over {} phases of the first impact within a step; from that impact on, "
+                          "every method is of order 1. ",
                           phases);
-    return fmt::format(
-        "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) "
-        "over a ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest "
-        "points.{} The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} "
-        "times.",
-        averaged, scene.number("reference_error"), small_error, scene.number("growth"));
+    return fmt::format("{}The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} times.",
+                       averaged, scene.number("reference_error"), small_error, scene.number("growth"));
 }
 
 /// @param rows of one scene
 /// @param points those of its rows that are drawn, at least one
 Chart precision_chart(const Rows& rows, const Rows& points) {
     const Row& scene = points.front();
-    Chart chart{"precision_" + scene.word("scene"), caption_of(scene), {}, "error,cost\n", "precision"};
+    Chart chart{"precision_" + scene.word("scene"), {}, "error,cost\n", "precision", caption_of(scene)};
     const auto methods = words_of(points, "method");
     for (const std::string& method : methods) {
         const auto order = order_of(rows_with(rows, "method", method));
@@ -84,7 +81,6 @@ Chart precision_chart(const Rows& rows, const Rows& points) {
 /// @param scene any of its rows
 Chart choice_chart(const Row& scene) {
     return {"precision_choice_" + scene.word("scene"),
-            "Six of these methods: what each error costs, and which errors a picture can show.",
             {{"scene", scene.word("scene")},
              {"particles", scene.number("particles")},
              {"horizon", scene.number("horizon_s")}},

@@ -165,12 +165,7 @@ std::vector<Chart> realtime_charts(Rows rows) {
     std::vector<Chart> charts;
     for (const std::string& motion : words_of(rows, "motion")) {
         const auto methods = words_of(rows_with(rows, "motion", motion), "method");
-        charts.push_back({"realtime_" + motion,
-                          "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
-                          "than the converged cloth: how far they are from that cloth, by their size.",
-                          {{"motion", motion}, {"methods", in_words(methods)}},
-                          {},
-                          "realtime"});
+        charts.push_back({"realtime_" + motion, {{"motion", motion}, {"methods", in_words(methods)}}, {}, "realtime"});
     }
     return charts;
 }

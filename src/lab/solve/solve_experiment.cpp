@@ -1,7 +1,5 @@
 #include <cmath>
-#include <memory>
 
-#include "drape/base/numbers.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/measure/states.h"
@@ -9,12 +7,22 @@
 namespace drape {
 namespace {
 
-constexpr Real picture = Real(1) / 60;                   // s
-constexpr Real exact = Real(1e-9), nearly = Real(1e-6);  // tolerances
+constexpr Real picture = Real(1) / 60;  // s
 constexpr int shorter = 16, measured_steps = 10;
 
-/// A metre square; drag is that of the whole cloth, whatever the grid.
-ClothParameters sheet_of(int side) {
+std::vector<Method> solved_methods() {
+    return methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"});
+}
+
+/// Where steps have moved a sheet to, and what they were like.
+struct SolveRun {
+    Points x;
+    Row row;
+};
+
+/// A metre square, hung by two corners; drag is that of the whole cloth, whatever the grid.
+/// @param parts of a picture's time that a step has
+SolveRun run_sheet(const Method& method, int side, Real time, int parts = 1) {
     ClothParameters cloth;
     cloth.particles = {side, side};
     cloth.mass = Real(0.2);
@@ -23,62 +31,43 @@ ClothParameters sheet_of(int side) {
     cloth.shear = {500, Real(0.01)};
     cloth.bend = {100, Real(0.01)};
     cloth.drag = Real(0.5) / static_cast<Real>(cloth.particles.particles());
-    return cloth;
-}
-
-struct SolveRun {
-    Points x;
-    double iterations = 0;
-    std::vector<double> costs;
-};
-
-/// @param parts of a picture's time that a step has
-SolveRun run_sheet(const IntegratorParameters& parameters, int side, Real time, int parts = 1) {
-    const ClothParameters cloth = sheet_of(side);
     const ClothModel model = make_cloth_model(cloth);
     ClothState state = make_rest_state(cloth);
-    const auto integrator = make_integrator(parameters, model.grid);
+    const auto integrator = make_integrator(method.parameters, model.grid);
     const auto steps = std::lround(time / picture) * parts;
-    SolveRun run;
+    double iterations = 0;
+    std::vector<double> costs;
     for (std::int64_t k = 0; k < steps; ++k) {
         SolveReport report;
         const double cost =
             cpu_time_of([&] { report = integrator->step(model, state, picture / static_cast<Real>(parts)); });
         if (k < steps - measured_steps) continue;
-        run.iterations += static_cast<double>(report.iterations) / measured_steps;
-        run.costs.push_back(cost);
+        iterations += static_cast<double>(report.iterations) / measured_steps;
+        costs.push_back(cost);
     }
-    run.x = state.x;
-    return run;
-}
-
-IntegratorParameters solved_to(Real tolerance, IntegratorParameters parameters) {
-    parameters.tolerance = tolerance;
-    return parameters;
-}
-
-Row row_of(const char* part, const Method& method, int side, Real time, const SolveRun& run) {
-    return {{"part", part},
-            {"method", method.name},
-            {"side", side},
-            {"time_s", time},
-            {"step_s", picture},
-            {"tolerance", tolerance_of(method.parameters)},
-            {"newton_steps", method.parameters.newton_steps},
-            {"iterations", run.iterations},
-            {"cost_s", quartiles_of(run.costs)}};
+    return {state.x,
+            {{"method", method.name},
+             {"side", side},
+             {"time_s", time},
+             {"step_s", static_cast<double>(picture) / parts},
+             {"tolerance", tolerance_of(method.parameters)},
+             {"newton_steps", method.parameters.newton_steps},
+             {"iterations", iterations},
+             {"cost_s", quartiles_of(costs)}}};
 }
 
 /// One method on one grid, to each tolerance.
-Rows run_tolerances(Method method, int side) {
-    constexpr Real time = Real(0.5);
-    const Points solved = run_sheet(solved_to(exact, method.parameters), side, time).x;
-    const Points truth = run_sheet(solved_to(nearly, method.parameters), side, time, shorter).x;
+Rows run_tolerances(const Method& method, int side) {
+    const auto solved_to = [&](Real tolerance, int parts) {
+        Method solved = method;
+        solved.parameters.tolerance = tolerance;
+        return run_sheet(solved, side, Real(0.5), parts);
+    };
+    const Points solved = solved_to(Real(1e-9), 1).x, truth = solved_to(Real(1e-6), shorter).x;
     Rows rows;
-    for (const Real tolerance : {Real(1e-1), Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5), Real(1e-6), Real(1e-7)}) {
-        method.parameters.tolerance = tolerance;
-        const SolveRun run = run_sheet(method.parameters, side, time);
-        rows.push_back(row_of("tolerance", method, side, time, run));
+    for (const double tolerance : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+        const SolveRun run = solved_to(static_cast<Real>(tolerance), 1);
+        rows.push_back(run.row);
         rows.back().set(
             {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
     }
@@ -87,24 +76,18 @@ Rows run_tolerances(Method method, int side) {
 
 /// One method by steps of several lengths, with one Newton step in each and with more.
 Rows run_newton(Method method, int side) {
-    constexpr Real time = Real(0.5);
-    const IntegratorParameters best{.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3};
-    const Points truth = run_sheet(best, side, time, 4 * shorter).x;
+    const Method best{"", {.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3}};
+    const Points truth = run_sheet(best, side, Real(0.5), 4 * shorter).x;
     Rows rows;
     for (const int newton_steps : {1, 2, 3}) {
+        method.parameters.newton_steps = newton_steps;
         for (const int parts : {1, 2, 4, 8}) {
-            method.parameters.newton_steps = newton_steps;
-            const SolveRun run = run_sheet(method.parameters, side, time, parts);
-            rows.push_back(row_of("newton", method, side, time, run));
-            rows.back().set(
-                {{"step_s", static_cast<double>(picture) / parts}, {"step_error_m", position_error(run.x, truth, 1)}});
+            const SolveRun run = run_sheet(method, side, Real(0.5), parts);
+            rows.push_back(run.row);
+            rows.back().set("step_error_m", position_error(run.x, truth, 1));
         }
     }
     return rows;
-}
-
-std::vector<Method> solved_methods() {
-    return methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"});
 }
 
 ExperimentCases tolerance_cases(bool quick) {
@@ -117,38 +100,9 @@ ExperimentCases newton_cases(bool quick) {
 
 /// Falling, and once it swings in folds.
 ExperimentCases size_cases(bool quick) {
-    const Method method = methods_named({"backward_euler_clamped"})[0];
-    return cases_over(
-        [=](Real time, int side) {
-            return Rows{row_of("size", method, side, time, run_sheet(method.parameters, side, time))};
-        },
-        std::vector{Real(0.2), Real(1)}, quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
-}
-
-std::vector<Chart> tolerance_charts(const Rows& all) {
-    const Rows rows = rows_with(all, "method", "backward_euler_clamped");
-    if (rows.empty()) return {};
-    const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
-    return {
-        {"solve_tolerance",
-         "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
-         "tolerance of the solves; dashed, the error of the step itself.",
-         {{"sides", in_words(sides)}}}};
-}
-
-std::vector<Chart> newton_charts(const Rows& rows) {
-    return {
-        {"solve_newton",
-         "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
-         "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
-         {{"methods", in_words(words_of(rows, "method"))}}}};
-}
-
-std::vector<Chart> size_charts(const Rows&) {
-    return {{"solve_size",
-             "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
-             "flat, and once it swings in folds.",
-             {}}};
+    const auto run = [](Real time, int side) { return Rows{run_sheet(solved_methods()[0], side, time).row}; };
+    return cases_over(run, std::vector{Real(0.2), Real(1)},
+                      quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
 }
 
 }  // namespace
@@ -161,15 +115,15 @@ Experiment solve_experiment() {
              word_column("method", names_in(solved_methods(), &Method::name)), whole_column("side", 2),
              positive_column("time_s"),  // simulated, from rest
              positive_column("step_s"), positive_column("tolerance"), whole_column("newton_steps", 1),
-             number_column("solver_error_m").or_nan(),     // RMS over the particles, against `exact` solves
+             number_column("solver_error_m").or_nan(),     // RMS over the particles, against solves to 1e-9
              number_column("step_error_m").or_nan(),       // of such, against steps a sixteenth as long or less
              number_column("iterations"),                  // of a step, in the mean over the last ten
              positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
             {{"part", "method", "side", "time_s", "newton_steps"},
              {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
-            {{"tolerance", tolerance_cases, tolerance_charts},
-             {"newton", newton_cases, newton_charts},
-             {"size", size_cases, size_charts}}};
+            {{"tolerance", tolerance_cases, charts_of({{.name = "solve_tolerance"}})},
+             {"newton", newton_cases, charts_of({{.name = "solve_newton"}})},
+             {"size", size_cases, charts_of({{.name = "solve_size"}})}}};
 }
 
 }  // namespace drape

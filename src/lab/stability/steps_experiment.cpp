@@ -71,13 +71,6 @@ ExperimentCases steps_cases(bool quick) {
         methods(), per_second);
 }
 
-std::vector<Chart> steps_charts(const Rows& rows) {
-    return {{"steps",
-             "A sheet that falls and swings, hung by two corners, by each method and step: held within 1 % of the "
-             "converged motion and its stretch, off by more, stretched by more or to ruin, or blown up.",
-             {{"methods", in_words(words_of(rows, "method"))}}}};
-}
-
 }  // namespace
 
 Experiment steps_experiment() {
@@ -91,7 +84,7 @@ Experiment steps_experiment() {
          positive_column("step_over_limit").or_nan(),  // as predicted
          positive_column("cost_s_per_s").or_nan(), word_column("end", {"held", "off", "soft", "ruined", "blew_up"})},
         {{"method", "end"}, {"step_s", "error", "stretch_excess", "cost_s_per_s"}},
-        {{"", steps_cases, steps_charts}}};
+        {{"", steps_cases, charts_of({{.name = "steps"}})}}};
 }
 
 }  // namespace drape
