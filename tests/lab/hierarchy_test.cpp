@@ -22,6 +22,7 @@ using test::LabFolder;
 using test::LabRun;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 
 /// A ball that moves along a rumpled cloth and always touches it.
 RecordedMotion rumpled_motion(const Grid& grid, int frames) {
@@ -152,6 +153,9 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));
+    const std::string page = folder.read("out/index.html");
+    EXPECT_THAT(page, HasSubstr("hierarchy_spheres.svg"));
+    EXPECT_THAT(page, Not(HasSubstr("hierarchy_storage.svg"))) << "nothing of it is in the share";
 }
 
 }  // namespace

@@ -120,8 +120,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
         discrete_missed += !discrete;
         continuous_missed += !continuous;
     }
-    return {{{"part", "misses"},
-             {"target", target},
+    return {{{"target", target},
              {"q", q},
              {"shots", shots},
              {"discrete_missed", discrete_missed / shots},
@@ -167,8 +166,7 @@ Rows times_of(int side, int steps) {
     }
     Rows rows;
     for (const TimedDetector& one : timed) {
-        rows.push_back({{"part", "time"},
-                        {"detection", one.continuous ? "continuous" : "discrete"},
+        rows.push_back({{"detection", one.continuous ? "continuous" : "discrete"},
                         {"particles", grid.particles()},
                         {"build_s", quartiles_of(one.build)},
                         {"search_s", quartiles_of(one.search)}});

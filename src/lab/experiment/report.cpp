@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -57,14 +56,22 @@ std::string caption_of(const std::string& script, const std::string& more) {
     return in_words(parts);
 }
 
+/// Text as a page shows it.
+std::string escaped(const std::string& text) {
+    static const std::map<char, std::string> marks{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
+    std::string shown;
+    for (const char c : text) shown += marks.contains(c) ? marks.at(c) : std::string(1, c);
+    return shown;
+}
+
 /// The exit code of a script that finds nothing to draw in its table.
 constexpr int nothing_to_draw = 3;
 
-/// @return the charts that were drawn, with all of their captions
-std::vector<Chart> drawn(const std::vector<Chart>& charts, const std::filesystem::path& table) {
+/// @return what the page has of the charts that were drawn
+std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::path& table) {
     // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
     const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
-    std::vector<Chart> done;
+    std::string figures;
     for (Chart chart : charts) {
         const std::string name = checked_name(chart.name), script = name + ".gnuplot";
         chart.values.insert({{"name", name}, {"table", table.filename().string()}});
@@ -75,7 +82,6 @@ std::vector<Chart> drawn(const std::vector<Chart>& charts, const std::filesystem
             data.close();
         }
         const std::string own = script_text(chart.script.empty() ? name : chart.script);
-        chart.caption = caption_of(own, chart.caption);
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
                       << assignments_of(chart) << '\n'
@@ -89,9 +95,12 @@ std::vector<Chart> drawn(const std::vector<Chart>& charts, const std::filesystem
         }
         if (*code == nothing_to_draw) continue;
         if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
-        done.push_back(chart);
+        figures += fmt::format(
+            "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
+            "</figure>\n",
+            name, escaped(caption_of(own, chart.caption)));
     }
-    return done;
+    return figures;
 }
 
 constexpr const char* style =
@@ -100,25 +109,10 @@ constexpr const char* style =
     "figcaption{max-width:50rem;color:#444}pre{overflow-x:auto;background:#f6f6f6;padding:1rem;font-size:.85rem}"
     "dl{display:grid;grid-template-columns:max-content auto;gap:.1rem 1.5rem;font-size:.85rem}dd{margin:0}";
 
-/// Text as a page shows it.
-std::string escaped(const std::string& text) {
-    static const std::map<char, std::string> marks{{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-    std::string shown;
-    for (const char c : text) shown += marks.contains(c) ? marks.at(c) : std::string(1, c);
-    return shown;
-}
-
 /// Question, charts with captions, what was found, and where it is from.
-/// @param charts that were drawn
-void write_report_page(const Experiment& experiment, const TableHead& head, const std::vector<Chart>& charts,
+void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
                        const std::string& summary, const std::filesystem::path& table) {
-    std::string figures, lines;
-    for (const Chart& chart : charts) {
-        figures += fmt::format(
-            "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
-            "</figure>\n",
-            escaped(chart.name), escaped(chart.caption));
-    }
+    std::string lines;
     for (const auto& [key, value] : head) {
         lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
     }
@@ -158,7 +152,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    write_report_page(experiment, table.head, drawn(experiment.charts(rows), file), summary, file);
+    write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file), summary, file);
 }
 
 }  // namespace drape

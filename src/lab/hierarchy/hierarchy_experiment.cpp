@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -302,39 +300,15 @@ ExperimentCases sizes(bool quick, const SharedMotions& motions) {
     });
 }
 
-/// The bytes of a node's volume.
-/// @param row of any volume but brute force
-std::size_t bytes_of_a_node(const Row& row) {
-    return with_volume(value_named<VolumeKind>(row.word("volume")).value(),
-                       []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
-}
-
-/// What the volumes of a tree take, beside its time a frame: larger cloth, every leaf size, rebuilt.
-Chart storage_chart(Rows rows) {
-    std::erase_if(rows, [](const Row& row) {
-        return row.number("particles") != resampled_side * resampled_side || row.word("update") != "rebuild" ||
-               row.word("volume") == "brute" ||
-               (row.word("volume") == "sphere" && row.word("sphere_fit") != name_of(SphereFit::Centroid));
-    });
-    std::string data = "scene,volume,bytes,whole_s\n";
-    for (const Row& row : rows) {
-        data += fmt::format("{},{},{:.0f},{:.8g}\n", row.word("scene"), row.word("volume"),
-                            row.number("nodes") * static_cast<double>(bytes_of_a_node(row)), row.number("whole_s"));
+/// What a node's volume takes: "sphere 32 aabb 48 ... brute 0".
+std::string bytes_of_nodes() {
+    std::vector<std::string> words;
+    for (const VolumeKind kind : values_of<VolumeKind>()) {
+        const auto size = []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); };
+        words.emplace_back(name_of(kind));
+        words.push_back(std::to_string(kind == VolumeKind::Brute ? 0 : with_volume(kind, size)));
     }
-    const auto with_bytes = [](const Row& row) {
-        return fmt::format("{}:{}", row.word("volume"), bytes_of_a_node(row));
-    };
-    return {
-        .name = "hierarchy_storage",
-        .values = {{"scenes", in_words(words_of(rows, "scene"))}, {"volumes", in_words(words_of(rows, with_bytes))}},
-        .data = data};
-}
-
-std::vector<Chart> fit_charts(const Rows& rows) {
-    return {{.name = "hierarchy_fit"},
-            {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
-            storage_chart(rows),
-            {.name = "hierarchy_spheres"}};
+    return in_words(words);
 }
 
 }  // namespace
@@ -344,6 +318,10 @@ Experiment hierarchy_experiment() {
     const auto with_motions = [motions](const auto& cases) {
         return [motions, cases](bool quick) { return cases(quick, motions); };
     };
+    const std::vector<Chart> fit_charts{{.name = "hierarchy_fit"},
+                                        {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
+                                        {.name = "hierarchy_storage", .values = {{"bytes", bytes_of_nodes()}}},
+                                        {.name = "hierarchy_spheres"}};
     return {"hierarchy",
             "what does a tighter hierarchy cost, and what does it save?",
             8,
@@ -377,7 +355,7 @@ Experiment hierarchy_experiment() {
              number_column("distance_m").or_nan()},  // RMS of the particles from those of the full search, at the end
             {{"part", "scene", "particles", "volume"},
              {"whole_s", "false_per_true", "tightness", "missed_penetration_m", "cumulative_s_over_rebuild_s"}},
-            {{"fit", with_motions(fits), fit_charts},
+            {{"fit", with_motions(fits), charts_of(fit_charts)},
              {"level", with_motions(levels), charts_by("scene", "hierarchy_level")},
              {"budget", with_motions(budgets), charts_of({{.name = "hierarchy_budget"}})},
              {"break_even", with_motions(break_evens), charts_by("scene", "hierarchy_break_even")},

@@ -33,14 +33,14 @@ Settings sheet_above_ground(ResponseKind response, IntegratorKind integrator, Re
 }
 
 Rows run_at_step(ResponseKind kind, double rate) {
-    Row row{{"part", "step"}, {"response", kind}, {"step_s", 1 / rate}};
+    Row row{{"response", kind}, {"step_s", 1 / rate}};
     row.set(drop_sheet(kind, static_cast<Real>(1 / rate)));
     row.set(lay_on_slope(kind, static_cast<Real>(1 / rate)));
     return {row};
 }
 
 Rows run_limit(double stiffness, double restitution) {
-    Row row{{"part", "limit"}, {"response", ResponseKind::Penalty}};
+    Row row{{"response", ResponseKind::Penalty}};
     row.set({{"stiffness_N_per_m", stiffness}, {"restitution", restitution}});
     row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
     return {row};

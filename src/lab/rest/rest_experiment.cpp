@@ -68,7 +68,7 @@ private:
 /// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
 /// least. Speeds are those of the last half second.
 Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
-    Row row{{"part", "rest"}, {"scene", scene}, {"response", response}, {"integrator", integrator}};
+    Row row{{"scene", scene}, {"response", response}, {"integrator", integrator}};
     Settings settings = rest_settings(scene, integrator, response, quick);
     double& step = settings.solver.dt;
     if (!has_step_limit(integrator)) step = long_step;
@@ -102,7 +102,7 @@ Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool
     const ResponseKind response = ResponseKind::Projection;
     Settings settings = rest_settings("drop", integrator, response, quick);
     settings.solver.dt = step;
-    Row row{{"part", "drift"}, {"scene", "drop"}, {"response", response}, {"integrator", integrator}};
+    Row row{{"scene", "drop"}, {"response", response}, {"integrator", integrator}};
     row.set({{"step_s", step}, {"watched_s", seconds}, {"end", "diverged"}});
     RestRun run("drop", settings);
     if (!run.run_until(settle)) return {row};
