@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 #include "drape/base/assert.h"
 #include "picture_target.h"
@@ -12,11 +11,6 @@
 namespace drape {
 
 namespace {
-
-template <class T>
-std::size_t bytes_of(const ImVector<T>& items) {
-    return static_cast<std::size_t>(items.Size) * sizeof(T);
-}
 
 PictureBox scissor_of(const ImVec4& clip, const ImVec2& display) {
     const float left = std::clamp(clip.x, 0.0f, display.x), right = std::clamp(clip.z, left, display.x);
@@ -49,26 +43,16 @@ OverlayPainter::OverlayPainter(Gl& gl, StreamBuffer& stream)
     stream.bind_indices();
 }
 
-void OverlayPainter::need(bool shown, StreamBuffer& stream) {
+void OverlayPainter::fill(bool shown, StreamBuffer& stream) {
     shown_ = shown;
-    const ImDrawData* data = shown ? ImGui::GetDrawData() : nullptr;
-    const auto vertices = static_cast<std::size_t>(shown ? data->TotalVtxCount : 0);
-    const auto indices = static_cast<std::size_t>(shown ? data->TotalIdxCount : 0);
-    stream.need(Region::OverlayVertices, vertices * sizeof(ImDrawVert));
-    stream.need(Region::OverlayIndices, indices * sizeof(ImDrawIdx));
-}
-
-void OverlayPainter::fill(StreamBuffer& stream) const {
-    if (!shown_) return;
-    auto* vertices = stream.data<std::byte>(Region::OverlayVertices);
-    auto* indices = stream.data<std::byte>(Region::OverlayIndices);
-    const ImDrawData& data = *ImGui::GetDrawData();
+    const ImDrawData none, &data = shown ? *ImGui::GetDrawData() : none;
+    stream.room<ImDrawVert>(Region::OverlayVertices, static_cast<std::size_t>(data.TotalVtxCount));
+    auto* index = stream.room<ImDrawIdx>(Region::OverlayIndices, static_cast<std::size_t>(data.TotalIdxCount));
+    auto* vertex = stream.data<ImDrawVert>(Region::OverlayVertices);
     for (int i = 0; i < data.CmdListsCount; ++i) {
         const ImDrawList& list = *data.CmdLists[i];
-        std::memcpy(vertices, list.VtxBuffer.Data, bytes_of(list.VtxBuffer));
-        std::memcpy(indices, list.IdxBuffer.Data, bytes_of(list.IdxBuffer));
-        vertices += bytes_of(list.VtxBuffer);
-        indices += bytes_of(list.IdxBuffer);
+        vertex = std::copy_n(list.VtxBuffer.Data, list.VtxBuffer.Size, vertex);
+        index = std::copy_n(list.IdxBuffer.Data, list.IdxBuffer.Size, index);
     }
 }
 
@@ -96,7 +80,7 @@ void OverlayPainter::draw(const StreamBuffer& stream) {
                                     first_vertex + static_cast<int>(command.VtxOffset));
         }
         first_vertex += list.VtxBuffer.Size;
-        first_index += bytes_of(list.IdxBuffer);
+        first_index += static_cast<std::size_t>(list.IdxBuffer.Size) * sizeof(ImDrawIdx);
     }
     if (current != whole) gl_(glDisable, GL_SCISSOR_TEST);
 }

@@ -13,9 +13,7 @@ public:
     OverlayPainter(Gl& gl, StreamBuffer& stream);
 
     /// @param shown whether there is draw data in this frame
-    void need(bool shown, StreamBuffer& stream);
-    void arrange(const StreamBuffer& stream) { array_.follow(stream); }
-    void fill(StreamBuffer& stream) const;
+    void fill(bool shown, StreamBuffer& stream);
 
     /// Over the resolved picture; blending is on.
     void draw(const StreamBuffer& stream);

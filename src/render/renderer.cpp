@@ -95,35 +95,25 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
 }
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
-    // What each part needs of the one buffer
     colours.collect(view);
     panels.colours = colours.scale();
     crosses.collect(view);
     panels.full_strain = crosses.full();
     const bool overlay = panels.build(view, camera, report, notices, width, height);
-    stream.need(Region::Frame, sizeof(FrameData));
-    solids.need(view, stream);
-    marks.need(view, crosses.lines(), stream);
-    painter.need(overlay, stream);
+    solids.follow(view, stream);
 
-    // Regions that moved, and new grids
-    stream.arrange();
-    solids.arrange(view, stream);
-    marks.arrange(view, stream);
-    painter.arrange(stream);
-
-    // Everything into it, and up
+    // Everything into the one buffer, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
     FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders());
+    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
+    solids.fill(view, colours, {camera.eye(), pixels}, stream);
+    marks.fill(view, crosses.lines(), stream);
+    painter.fill(overlay, stream);
     data.counts[0] = marks.springs()[0];
     data.counts[1] = marks.springs()[1];
     data.counts[2] = marks.segments();
     data.shadow[1] = marks.spacing();
-    *stream.data<FrameData>(Region::Frame) = data;
-    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
-    solids.fill(view, colours, {camera.eye(), pixels}, stream);
-    marks.fill(view, stream);
-    painter.fill(stream);
+    *stream.room<FrameData>(Region::Frame, 1) = data;
     stream.upload();
 }
 
