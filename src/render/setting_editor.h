@@ -19,11 +19,10 @@ struct SliderScale {
 /// @param scene_value of the setting in the scene as it was loaded
 SliderScale slider_scale(const Setting& setting, double scene_value);
 
-/// What a row of the settings panel shows of its setting. Texts are made with the row, not in every frame.
+/// What a row of the settings panel shows of its setting.
 struct SettingRow {
     const Setting* setting;
-    std::string name;           ///< of what it changes: "solver.dt", "ball[1].radius"
-    std::size_t number, count;  ///< which of several cloths, balls, solids or pins it is of
+    std::string name;  ///< of what it changes: "solver.dt", "ball[1].radius"
     std::string label, format;
     SettingValue value;
     std::optional<SettingValue> of_the_scene;
