@@ -1,7 +1,6 @@
-#include "tour_pictures.h"
-
 #include <memory>
 
+#include "capture.h"
 #include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
