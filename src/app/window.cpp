@@ -88,7 +88,9 @@ void Window::on_tick() {
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
-    tell_of_takeovers_and_dangers();
+    for (const News& news : session_.take_news()) {
+        notices_.add(news.topic == News::Topic::Takeover ? "takeover" : "crossing", news.text);
+    }
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().error));
@@ -191,15 +193,6 @@ void Window::tell_of_failure() {
     failure_note_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
     if (!failure_note_.empty()) tell(failure_note_);
-}
-
-void Window::tell_of_takeovers_and_dangers() {
-    if (std::exchange(takeovers_, session_.takeovers()) != session_.takeovers()) {
-        notices_.add("takeover", session_.takeover_notice());
-    }
-    if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
-    const std::string warning = session_.simulation().crossing_warning();
-    if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none
 }
 
 // Not where the panel says that the picture is coarse: a slow display has no time for every step

@@ -96,7 +96,9 @@ public:
         for (frame_ = 1; frame_ <= options_.frames && exit_code == Done; ++frame_) {
             const double time = session_.start_time() + frame_ / frame_rate_;
             const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
-            tell_of_crossings();
+            for (const News& news : session_.take_news()) {
+                if (news.topic == News::Topic::Crossing) tell("warning: " + news.text);
+            }
             if (diverged()) {
                 fail();
                 exit_code = Failed;
@@ -114,12 +116,6 @@ public:
 
 private:
     [[nodiscard]] bool diverged() { return session_.simulation().report().status == Status::Diverged; }
-
-    void tell_of_crossings() {
-        const std::int64_t starts = session_.simulation().report().crossing.starts;
-        if (std::exchange(crossings_told_, starts) == starts || starts == 0) return;
-        tell("warning: " + session_.simulation().crossing_warning());
-    }
 
     void draw_frame() {
         draw();
@@ -221,7 +217,6 @@ private:
     int frame_ = 0;
     double frame_rate_ = 0;  ///< per simulated second
     std::string failure_;    ///< what was told of the state that has diverged
-    std::int64_t crossings_told_ = 0;
 };
 
 }  // namespace
