@@ -21,7 +21,6 @@
 #include "drape/session/state_csv.h"
 #include "frame_writer.h"
 #include "gl_context.h"
-#include "picture_memory.h"
 
 namespace drape {
 

@@ -10,7 +10,6 @@
 #include "drape/session/tour.h"
 #include "frame_writer.h"
 #include "gl_context.h"
-#include "picture_memory.h"
 
 namespace drape {
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 #include "cloth_colours.h"
+#include "drape/base/input_error.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -35,6 +37,18 @@ void set_state(Gl& gl) {
 }
 
 }  // namespace
+
+void start_glew() {
+    glewExperimental = GL_TRUE;
+    const GLenum status = glewInit();
+    // GLEW asks for GLX last, when it has filled in all functions
+    const bool no_glx = status == GLEW_ERROR_GLX_VERSION_11_ONLY || status == GLEW_ERROR_NO_GLX_DISPLAY;
+    if (status != GLEW_OK && !no_glx) {
+        throw RunError("OpenGL's functions were not found: " +
+                       std::string(reinterpret_cast<const char*>(glewGetErrorString(status))));
+    }
+    if (!GLEW_VERSION_3_3) throw RunError("OpenGL's functions were not found: there is no OpenGL 3.3");
+}
 
 // In the order in which they are made; each may use those above it.
 struct Renderer::Parts {
