@@ -56,9 +56,11 @@ public:
         if (closing_list_) list_open_ = closing_list_ = false;
     }
 
-    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    /// Whether a list of names was open as it was last drawn.
     [[nodiscard]] bool list_open() const { return list_open_; }
-    void close_list() { closing_list_ = true; }
+
+    /// Closes it as it is drawn next. @return whether it was open
+    bool close_list() { return closing_list_ = list_open_; }
 
     /// Nothing is being changed any more.
     void forget() { held_widget_ = 0; }

@@ -48,9 +48,9 @@ public:
         if (window.width() == 0) wishes_.changes.emplace_back("view.controls=true");
     }
 
-    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    /// As those of the editor.
     [[nodiscard]] bool list_open() const { return editor_.list_open(); }
-    void close_list() { editor_.close_list(); }
+    bool close_list() { return editor_.close_list(); }
 
     /// The panel is not shown.
     void hide() {

@@ -96,9 +96,8 @@ public:
     [[nodiscard]] virtual bool have_pointer() const = 0;
     [[nodiscard]] virtual bool have_keyboard() const = 0;
 
-    /// Whether a list of names of the settings panel is open, and closes it with the next frame.
-    [[nodiscard]] virtual bool has_list() const = 0;
-    virtual void close_list() = 0;
+    /// Closes a list of names of the settings panel with the next frame. @return whether one is open
+    [[nodiscard]] virtual bool close_list() = 0;
 
     /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
     [[nodiscard]] virtual bool shows_timeline() const = 0;
