@@ -43,14 +43,11 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
-    renderer_->panels().help = help_lines(entries_);
-    renderer_->panels().hint = first_hints();
+    start_scene();
+    renderer_->panels().hint = first_hints(!session.simulation().balls().empty());
     hinting_ = true;
-    renderer_->panels().set_scene(session.simulation().settings());
-    scene_watch_.watch(session.simulation().scene());
     if (options.tour) go_to_stop(0);
     register_callbacks();
-    show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
     // A wait a little shorter than a frame leaves the rest to the display.
     frame_time_ = 0.9 / display_rate();
@@ -253,9 +250,10 @@ void Window::start_scene() {
     scene_error_.clear();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().set_scene(session_.simulation().settings());
+    renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());
     renderer_->panels().hint = {};
     hinting_ = touring_ = false;
-    show_title();
+    glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str());
 }
 
 void Window::take_panel_changes() {
@@ -265,8 +263,6 @@ void Window::take_panel_changes() {
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));
 }
-
-void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }
 
 void Window::leave() {
     if (!closed_) glutLeaveMainLoop();

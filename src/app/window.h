@@ -102,7 +102,6 @@ private:
     void follow_scene_file(double elapsed);
     void repeat_shot();
     void start_scene();
-    void show_title();
     void draw(FrameView view, DrawnFor use);
     void show_drawn();
     void take_picture();

@@ -81,8 +81,7 @@ public:
             context_ = std::make_unique<OffscreenContext>(options_.context);
             renderer_ = std::make_unique<Renderer>();
             renderer_->resize(options_.size.width, options_.size.height);
-            renderer_->panels().help = help_lines(make_entries(scene_names()));
-            renderer_->panels().set_scene(session_.simulation().settings());
+            start_scene();
             // The panel shows what the frame before cost, and the first picture shall have one
             if (options_.overlay) draw();
         }
@@ -131,11 +130,17 @@ private:
         }
     }
 
+    void start_scene() {
+        const Simulation& simulation = session_.simulation();
+        camera_ = Camera(simulation.settings().view);
+        renderer_->panels().help = help_lines(make_entries(scene_names()), !simulation.balls().empty());
+        renderer_->panels().set_scene(simulation.settings());
+    }
+
     void follow_replay() {
         for (const Command& command : session_.take_view_commands()) {
             if (changes_scene(command)) {
-                camera_ = Camera(session_.simulation().settings().view);
-                renderer_->panels().set_scene(session_.simulation().settings());
+                start_scene();
             } else {
                 camera_.apply(command, session_.view());
             }

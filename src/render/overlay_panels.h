@@ -87,7 +87,6 @@ private:
     PlotHistory plots_;
     ComparisonPanel comparison_;
     PanelBox timeline_;
-    std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
     std::shared_ptr<ImGuiContext> context_;
     Input input_;

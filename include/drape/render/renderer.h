@@ -41,14 +41,10 @@ inline constexpr std::array frame_fields{
     FrameField{"cpu", "", [](const FrameReport& r) { return r.cpu; }},
 };
 
-/// In which scenes a line is shown.
-enum class ShownIn { AnyScene, ScenesWithBall, ScenesWithoutBall };
-
 /// What a key does, for the panels of help and hints; without a key, the heading of the lines after it.
 struct KeyHelp {
     std::string key;
     std::string text;
-    ShownIn where = ShownIn::AnyScene;
 
     [[nodiscard]] bool is_heading() const { return key.empty(); }
 };
