@@ -1,12 +1,11 @@
 #pragma once
 
-#include <sstream>
 #include <string>
 #include <vector>
 
 namespace drape {
 
-/// Lines for the user that go away by themselves.
+/// Texts for the user that go away by themselves.
 class Notices {
 public:
     /// Shows a text for a few seconds.
@@ -28,16 +27,12 @@ public:
         return std::erase_if(notices_, [](const Notice& notice) { return notice.left <= 0; }) > 0;
     }
 
-    /// The lines of all texts, the oldest first, after those of `lasting`.
-    [[nodiscard]] std::vector<std::string> lines(const std::string& lasting) const {
-        std::vector<std::string> lines;
-        const auto append = [&](const std::string& text) {
-            std::istringstream in(text);
-            for (std::string line; std::getline(in, line);) lines.push_back(line);
-        };
-        append(lasting);
-        for (const Notice& notice : notices_) append(notice.text);
-        return lines;
+    /// All texts, the oldest first, after `lasting`, if that says anything.
+    [[nodiscard]] std::vector<std::string> texts(const std::string& lasting) const {
+        std::vector<std::string> texts;
+        if (!lasting.empty()) texts.push_back(lasting);
+        for (const Notice& notice : notices_) texts.push_back(notice.text);
+        return texts;
     }
 
 private:

@@ -153,11 +153,11 @@ void Window::show_drawn() {
 
 void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
-    std::vector<std::string> lines = notices_.lines(session_.replay_notice());
-    for (std::string& line : state_notices(session_.simulation(), failure_note_)) lines.push_back(std::move(line));
-    if (view.mode != nullptr) lines.push_back(text_of(*view.mode));
-    if (!scene_error_.empty()) lines.push_back(scene_error_);
-    renderer_->draw(view, shown_, lines, use);
+    std::vector<std::string> texts = notices_.texts(session_.replay_notice());
+    for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
+    if (view.mode != nullptr) texts.push_back(text_of(*view.mode));
+    if (!scene_error_.empty()) texts.push_back(scene_error_);
+    renderer_->draw(view, shown_, texts, use);
     drawn_step_ = view.report->step;
 }
 

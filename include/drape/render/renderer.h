@@ -126,7 +126,7 @@ public:
     [[nodiscard]] Panels& panels();
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
-    /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without
+    /// @param notices texts for the user (an error, a replay that ended), shown with the overlay or without
     void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices,
               DrawnFor use = DrawnFor::Picture);
 
