@@ -44,11 +44,9 @@ public:
     }
 
 private:
-    struct Look {
-        std::filesystem::file_time_type time;
-        std::uintmax_t size = 0;
-        bool operator==(const Look&) const = default;
-    };
+    /// When the file was written last, and its size.
+    using Look = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+
     /// Nothing where there is no file, as between the two steps of a save by renaming.
     [[nodiscard]] std::optional<Look> look() const {
         std::error_code none;

@@ -22,10 +22,8 @@ public:
     }
 
     void release(const std::string& key) {
-        const std::string name = without_shift(key);
-        std::erase_if(held_, [&](const Held& held) { return held.key == name && held.used; });
         for (Held& held : held_) {
-            if (held.key == name) held.left = 0;
+            if (held.key == without_shift(key)) held.left = 0;
         }
     }
 
@@ -74,7 +72,7 @@ private:
     struct Held {
         std::string key;  ///< empty for a nudge
         Vec3 direction;   ///< right, up, ahead
-        double left;      ///< time that a nudge still lasts [s]
+        double left;      ///< time that a nudge still lasts; 0 of a key that was let go [s]
         bool used;        ///< `update` has seen it
     };
 
