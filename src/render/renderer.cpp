@@ -1,9 +1,6 @@
 #include "drape/render/renderer.h"
 
-#include <imgui.h>
-
 #include <algorithm>
-#include <array>
 #include <string>
 #include <utility>
 
