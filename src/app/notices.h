@@ -5,21 +5,35 @@
 
 namespace drape {
 
-/// Lines for the user that go away by themselves.
+/// Texts for the user that go away by themselves.
 class Notices {
 public:
     /// Shows a text for a few seconds.
     /// @param topic a text takes the place of the one before it on the same topic
-    void add(const std::string& topic, const std::string& text);
+    void add(const std::string& topic, const std::string& text) {
+        constexpr double shown_for = 5;  // s
+        remove(topic);
+        notices_.push_back({topic, text, shown_for});
+    }
 
     /// Takes the text on a topic away, if there is one.
-    void remove(const std::string& topic);
+    void remove(const std::string& topic) {
+        std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
+    }
 
     /// Lets time pass. @return whether a text went away
-    bool advance(double elapsed);
+    bool advance(double elapsed) {
+        for (Notice& notice : notices_) notice.left -= elapsed;
+        return std::erase_if(notices_, [](const Notice& notice) { return notice.left <= 0; }) > 0;
+    }
 
-    /// The lines of all texts, the oldest first, after those of `lasting`.
-    [[nodiscard]] std::vector<std::string> lines(const std::string& lasting) const;
+    /// All texts, the oldest first, after `lasting`, if that says anything.
+    [[nodiscard]] std::vector<std::string> texts(const std::string& lasting) const {
+        std::vector<std::string> texts;
+        if (!lasting.empty()) texts.push_back(lasting);
+        for (const Notice& notice : notices_) texts.push_back(notice.text);
+        return texts;
+    }
 
 private:
     struct Notice {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "drape/render/camera.h"
@@ -27,10 +28,55 @@ public:
         bool shift = false, control = false;
     };
 
-    [[nodiscard]] std::vector<Command> press(Button button, Modifiers held, int x, int y, const Sight& sight);
-    [[nodiscard]] std::vector<Command> release(Button button, const Sight& sight);
+    [[nodiscard]] std::vector<Command> press(Button button, Modifiers held, int x, int y, const Sight& sight) {
+        if (doing_ != Doing::Nothing) return {};
+        button_ = button;
+        from_x_ = x_ = x;
+        from_y_ = y_ = y;
+        if (button == Button::Middle || held.shift) {
+            doing_ = Doing::Panning;
+            return {};
+        }
+        const Pick pick = pick_particle(sight.view, sight.camera.ray(x, y, sight.width, sight.height));
+        if (pick.particle < 0) {
+            doing_ = Doing::Orbiting;
+            return {};
+        }
+        if (held.control) return {command::Pin{pick.cloth, pick.particle}};
+        doing_ = Doing::Pulling;
+        hand_ = pick.point;
+        return {command::Grab{pick.cloth, pick.particle}};
+    }
+
+    [[nodiscard]] std::vector<Command> release(Button button, const Sight& sight) {
+        if (doing_ == Doing::Nothing || button != button_) return {};
+        std::vector<Command> commands = flush(sight);
+        if (doing_ == Doing::Pulling) commands.emplace_back(command::Release{});
+        doing_ = Doing::Nothing;
+        return commands;
+    }
+
     void move(int x, int y) { x_ = x, y_ = y; }
-    [[nodiscard]] std::vector<Command> flush(const Sight& sight);
+
+    [[nodiscard]] std::vector<Command> flush(const Sight& sight) {
+        if (!moved() || sight.width < 1 || sight.height < 1) return {};
+        const double across = double(x_ - from_x_) / sight.height;
+        const double down = double(y_ - from_y_) / sight.height;
+        from_x_ = x_;
+        from_y_ = y_;
+        switch (doing_) {
+            case Doing::Orbiting:
+                return {command::Orbit{-full_drag * across, full_drag * down}};
+            case Doing::Panning:
+                return {command::Pan{-across, down}};
+            case Doing::Pulling:
+                hand_ = sight.camera.on_facing_plane(sight.camera.ray(x_, y_, sight.width, sight.height), hand_);
+                return {command::Drag{hand_}};
+            case Doing::Nothing:
+                break;
+        }
+        return {};
+    }
 
     /// Whether anything waits for `flush`.
     [[nodiscard]] bool moved() const { return doing_ != Doing::Nothing && (x_ != from_x_ || y_ != from_y_); }
@@ -42,10 +88,13 @@ public:
     void forget() { doing_ = Doing::Nothing; }
 
     /// @param notches of the wheel, positive away from the user
-    [[nodiscard]] static Command wheel(int notches);
+    [[nodiscard]] static Command wheel(int notches) { return command::Zoom{std::pow(wheel_factor, notches)}; }
 
 private:
     enum class Doing { Nothing, Orbiting, Panning, Pulling };
+
+    static constexpr double full_drag = 4.0;     ///< a drag over the height of the picture [rad]
+    static constexpr double wheel_factor = 0.9;  ///< of the distance, a notch
 
     Doing doing_ = Doing::Nothing;
     Button button_ = Button::Left;

@@ -43,14 +43,11 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
-    renderer_->panels().help = help_lines(entries_);
-    renderer_->panels().hint = first_hints();
+    start_scene();
+    renderer_->panels().hint = first_hints(!session.simulation().balls().empty());
     hinting_ = true;
-    renderer_->panels().set_scene(session.simulation().settings());
-    scene_watch_.watch(session.simulation().scene());
     if (options.tour) go_to_stop(0);
     register_callbacks();
-    show_title();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
     // A wait a little shorter than a frame leaves the rest to the display.
     frame_time_ = 0.9 / display_rate();
@@ -88,7 +85,9 @@ void Window::on_tick() {
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
-    tell_of_takeovers_and_dangers();
+    for (const News& news : session_.take_news()) {
+        notices_.add(news.topic == News::Topic::Takeover ? "takeover" : "crossing", news.text);
+    }
     if (simulation.report().status == Status::Diverged &&
         simulation.settings().solver.on_unstable == OnUnstable::Stop) {
         failure_ = std::make_exception_ptr(RunError(simulation.report().error));
@@ -154,11 +153,11 @@ void Window::show_drawn() {
 
 void Window::draw(FrameView view, DrawnFor use) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
-    std::vector<std::string> lines = notices_.lines(session_.replay_notice());
-    for (std::string& line : state_notices(session_.simulation(), failure_note_)) lines.push_back(std::move(line));
-    if (view.mode != nullptr) lines.push_back(text_of(*view.mode));
-    if (!scene_error_.empty()) lines.push_back(scene_error_);
-    renderer_->draw(view, shown_, lines, use);
+    std::vector<std::string> texts = notices_.texts(session_.replay_notice());
+    for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
+    if (view.mode != nullptr) texts.push_back(text_of(*view.mode));
+    if (!scene_error_.empty()) texts.push_back(scene_error_);
+    renderer_->draw(view, shown_, texts, use);
     drawn_step_ = view.report->step;
 }
 
@@ -191,15 +190,6 @@ void Window::tell_of_failure() {
     failure_note_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
     if (!failure_note_.empty()) tell(failure_note_);
-}
-
-void Window::tell_of_takeovers_and_dangers() {
-    if (std::exchange(takeovers_, session_.takeovers()) != session_.takeovers()) {
-        notices_.add("takeover", session_.takeover_notice());
-    }
-    if (std::exchange(crossing_dangers_, session_.crossing_dangers()) == session_.crossing_dangers()) return;
-    const std::string warning = session_.simulation().crossing_warning();
-    if (!warning.empty()) notices_.add("crossing", warning);  // a reset in the same frame leaves none
 }
 
 // Not where the panel says that the picture is coarse: a slow display has no time for every step
@@ -260,9 +250,10 @@ void Window::start_scene() {
     scene_error_.clear();
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().set_scene(session_.simulation().settings());
+    renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());
     renderer_->panels().hint = {};
     hinting_ = touring_ = false;
-    show_title();
+    glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str());
 }
 
 void Window::take_panel_changes() {
@@ -272,8 +263,6 @@ void Window::take_panel_changes() {
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));
 }
-
-void Window::show_title() { glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str()); }
 
 void Window::leave() {
     if (!closed_) glutLeaveMainLoop();

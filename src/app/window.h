@@ -98,12 +98,10 @@ private:
     void tell_of_drops();
     void tell_of_lost_ball(double elapsed);
     void tell_of_failure();
-    void tell_of_takeovers_and_dangers();
     void tell_whose_ball();
     void follow_scene_file(double elapsed);
     void repeat_shot();
     void start_scene();
-    void show_title();
     void draw(FrameView view, DrawnFor use);
     void show_drawn();
     void take_picture();
@@ -138,8 +136,6 @@ private:
     std::string first_scene_;  ///< with which the program began, and the settings that it was given
     std::vector<std::string> assignments_;
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
-    int takeovers_ = 0;             ///< of which the user was told
-    int crossing_dangers_ = 0;      ///< likewise
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]
     double picture_time_ = 0;       ///< the same, its way to the display included [s]

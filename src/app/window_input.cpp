@@ -167,8 +167,7 @@ bool Window::close_topmost() {
     const ViewSettings& view = session_.simulation().settings().view;
     if (menu_->open()) {
         click_beside_menus();
-    } else if (renderer_->panels().has_list()) {
-        renderer_->panels().close_list();
+    } else if (renderer_->panels().close_list()) {
         panel_frames_ = 8;
     } else if (view.help) {
         carry_out(command::Set{"view.help=false"});
@@ -223,6 +222,7 @@ void Window::on_button(int button, int state, int x, int y) {
 }
 
 bool Window::at_panel(const PanelPointer& pointer) {
+    renderer_->panels().hover_x = pointer.x, renderer_->panels().hover_y = pointer.y;
     const bool any = session_.simulation().settings().view.controls || renderer_->panels().shows_timeline();
     if (!any && !renderer_->panels().menu_open()) return false;
     constexpr int frames = 8;  // that a press, a release and what follows from them take to be seen
@@ -235,12 +235,10 @@ bool Window::at_panel(const PanelPointer& pointer) {
 void Window::on_motion(int x, int y) {
     at_panel({.x = x, .y = y, .down = panel_button_});
     pointer_.move(x, y);
-    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
 }
 
 void Window::on_passive_motion(int x, int y) {
     at_panel({.x = x, .y = y});
-    renderer_->panels().hover_x = x, renderer_->panels().hover_y = y;
     dirty_ |= session_.simulation().settings().view.bounds;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
 
+#include "drape/base/input_error.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/video_pipe.h"
@@ -11,7 +13,10 @@
 namespace drape {
 
 /// "drape-0007.png": how the window calls what it writes.
-std::filesystem::path numbered_name(int number, const std::string& extension);
+inline std::filesystem::path numbered_name(int number, const std::string& extension) {
+    const std::string digits = std::to_string(number);
+    return "drape-" + std::string(4 - std::min<std::size_t>(digits.size(), 4), '0') + digits + extension;
+}
 
 /// A video of what a window shows, as fast as it is shown: 30 pictures a second of wall time, of which a slow window
 /// repeats some. It is called "drape-0001.mp4", or by the next number of which there is no video.
@@ -24,7 +29,25 @@ public:
 
     /// Begins a video, or ends the one that is being recorded.
     /// @return what to tell the user
-    std::string toggle(PictureSize size);
+    std::string toggle(PictureSize size) {
+        if (recording()) {
+            end("");
+            return "Video: " + pipe_->file().string() + " is being finished";
+        }
+        if (pipe_) return "The video before is still being finished";
+        try {
+            pipe_.emplace(first_free_name(), size, frame_rate, signals_, VideoPipe::Use::Live, end_patience_);
+        } catch (const RunError& error) {
+            return std::string("No video: ") + error.what();
+        }
+        size_ = size;
+        frames_ = left_out_ = 0;
+        ending_ = false;
+        reason_.clear();
+        watch_ = Stopwatch();
+        if (!pipe_->error().empty()) return outcome();
+        return "Recording video to " + pipe_->file().string() + ", Shift+F12 ends it";
+    }
 
     [[nodiscard]] bool recording() const { return pipe_ && !ending_; }
 
@@ -32,22 +55,63 @@ public:
     [[nodiscard]] bool due() const { return due_frames() > 0; }
 
     /// Takes a picture, which has the video's size.
-    void take(const Image& picture);
+    void take(const Image& picture) {
+        const int due = due_frames(), repeats = std::min(due, max_repeats);
+        left_out_ += due - repeats;
+        for (int i = 0; i < repeats && pipe_->error().empty(); ++i) {
+            pipe_->write(picture);
+            ++frames_;
+        }
+        if (!pipe_->error().empty()) end("");
+    }
 
     /// The window has this size now: a video of another ends.
-    void resize(PictureSize size);
+    void resize(PictureSize size) {
+        if (recording() && (size.width != size_.width || size.height != size_.height))
+            end("; the window has another size");
+    }
 
     /// What has become of a video that has ended since the last call; empty if there is nothing to tell.
-    std::string news();
+    std::string news() { return ending_ && pipe_->finished(0) ? outcome() : ""; }
 
     /// Ends the video, and waits until it is written.
     /// @return what has become of it; empty if there was none
-    std::string close();
+    std::string close() {
+        if (!pipe_) return {};
+        ending_ = true;
+        pipe_->close();
+        return outcome();
+    }
 
 private:
-    [[nodiscard]] int due_frames() const;
-    void end(const std::string& reason);
-    std::string outcome();
+    static constexpr double frame_rate = 30;  ///< pictures per second
+    static constexpr int max_repeats = 15;    ///< of one picture: a window that was hidden for long leaves the rest out
+
+    static std::filesystem::path first_free_name() {
+        int number = 1;
+        while (exists(symlink_status(numbered_name(number, ".mp4")))) ++number;
+        return numbered_name(number, ".mp4");
+    }
+
+    [[nodiscard]] int due_frames() const {
+        return recording() ? static_cast<int>(watch_.seconds() * frame_rate) + 1 - frames_ - left_out_ : 0;
+    }
+
+    void end(const std::string& reason) {
+        ending_ = true;
+        reason_ = reason;
+        pipe_->end();
+    }
+
+    std::string outcome() {
+        const std::string file = pipe_->file().string(), error = pipe_->error();
+        pipe_.reset();
+        ending_ = false;
+        if (!error.empty()) return "No video: " + error;
+        if (frames_ == 0) return "No video: it has ended before its first picture";
+        return "Video written: " + file + ", " + std::to_string(frames_) + (frames_ == 1 ? " frame" : " frames") +
+               reason_;
+    }
 
     const StopSignals& signals_;
     double end_patience_;

@@ -1,17 +1,26 @@
 #include "capture.h"
 
 #include <iostream>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
+#include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
+#include "drape/render/renderer.h"
+#include "drape/render/video_pipe.h"
 #include "drape/scene/memory.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
-#include "picture_memory.h"
+#include "drape/session/session.h"
+#include "drape/session/state_csv.h"
+#include "frame_writer.h"
+#include "gl_context.h"
 
 namespace drape {
 
@@ -36,160 +45,186 @@ Start checked_start(const CaptureOptions& options) {
     return start;
 }
 
+/// One run of `drape-capture`.
+class Capture {
+public:
+    /// @param signals that end it between two steps
+    Capture(CaptureOptions options, const StopSignals& signals)
+        : signals_(signals),
+          options_(std::move(options)),
+          session_(make_session(checked_start(options_))),
+          camera_(session_.simulation().settings().view),
+          stats_(options_.stats),
+          state_(options_.state),
+          progress_(static_cast<std::size_t>(options_.frames / options_.every), "picture") {
+        // A scene in slow motion has more frames, which a video shows as slowly as a window does
+        constexpr double display_rate = 60;
+        const double video_rate = options_.fps.value_or(display_rate) / options_.every;
+        frame_rate_ = options_.fps.value_or(display_rate / session_.simulation().settings().view.speed);
+        if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
+        if (!options_.video.empty()) {
+            video_.emplace(options_.video, options_.size, video_rate, signals_);
+            if (!video_->error().empty() && !frames_) throw RunError(video_->error());
+        }
+        if (stats_.wanted()) {
+            columns_.push_back({"frame", "", [this](const FrameView&) { return std::to_string(frame_); }});
+            add_report_columns(columns_);
+            for (const FrameField& field : frame_fields) {
+                columns_.push_back({std::string(field.name), std::string(field.unit), [this, &field](const FrameView&) {
+                                        return real_text(field.read(renderer_->report()));
+                                    }});
+            }
+            add_ball_columns(columns_, session_.simulation().balls().size());
+            write_stats_head(stats_.stream(), columns_);
+        }
+        if (options_.drawing()) {
+            context_ = std::make_unique<OffscreenContext>(options_.context);
+            renderer_ = std::make_unique<Renderer>();
+            renderer_->resize(options_.size.width, options_.size.height);
+            start_scene();
+            // The panel shows what the frame before cost, and the first picture shall have one
+            if (options_.overlay) draw();
+        }
+    }
+
+    int run() {
+        int exit_code = Done;
+        const std::string warning = session_.simulation().step_warning();
+        if (!warning.empty()) tell("warning: " + warning);
+        for (frame_ = 1; frame_ <= options_.frames && exit_code == Done; ++frame_) {
+            const double time = session_.start_time() + frame_ / frame_rate_;
+            const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
+            for (const News& news : session_.take_news()) {
+                if (news.topic == News::Topic::Crossing) tell("warning: " + news.text);
+            }
+            if (diverged()) {
+                fail();
+                exit_code = Failed;
+            } else if (whole && options_.drawing()) {
+                follow_replay();
+                if (frame_ % options_.every == 0) draw_frame();
+            }
+            if (const int signal = signals_.arrived()) exit_code = 128 + signal;
+        }
+        if (frames_) end_frames(exit_code == Done);
+        finish();
+        if ((!finish_video() || session_.replay_differs()) && exit_code == Done) exit_code = Failed;
+        return exit_code;
+    }
+
+private:
+    [[nodiscard]] bool diverged() { return session_.simulation().report().status == Status::Diverged; }
+
+    void draw_frame() {
+        draw();
+        if (frames_ || video_) {
+            const auto image = std::make_shared<Image>(renderer_->read_back());
+            if (frames_) image->texts = picture_texts(session_.simulation());
+            if (frames_) frames_->write(image, frame_);
+            if (frames_) progress_.advance();
+            if (video_) video_->write(*image);
+        }
+        if (stats_.wanted()) {
+            write_stats_row(stats_.stream(), columns_, session_.view());
+            stats_.flush();
+        }
+    }
+
+    void start_scene() {
+        const Simulation& simulation = session_.simulation();
+        camera_ = Camera(simulation.settings().view);
+        renderer_->panels().help = help_lines(make_entries(scene_names()), !simulation.balls().empty());
+        renderer_->panels().set_scene(simulation.settings());
+    }
+
+    void follow_replay() {
+        for (const Command& command : session_.take_view_commands()) {
+            if (changes_scene(command)) {
+                start_scene();
+            } else {
+                camera_.apply(command, session_.view());
+            }
+        }
+    }
+
+    void draw() {
+        FrameView view = session_.view();
+        std::optional<Settings> without_panel;
+        if (!options_.overlay && view.settings->view.panel != PanelSize::Off) {
+            without_panel.emplace(*view.settings).view.panel = PanelSize::Off;
+            view.settings = &*without_panel;
+        }
+        std::vector<std::string> notices;
+        if (options_.overlay) {
+            if (!session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
+            for (std::string& line : state_notices(session_.simulation(), failure_)) notices.push_back(std::move(line));
+        }
+        renderer_->draw(view, camera_, notices);
+    }
+
+    // Its last good state is the last picture.
+    void fail() {
+        failure_ = tell_failure(session_.simulation(), options_.out);
+        if (options_.drawing()) {
+            follow_replay();
+            draw_frame();
+        }
+        if (frames_) frames_->finish();
+        progress_.clear();
+        tell("drape-capture: " + session_.simulation().report().error +
+             (frames_ ? "; " + frames_->last().string() + " shows the last good state" : ""));
+        tell(failure_);
+    }
+
+    void end_frames(bool all) {
+        frames_->finish();
+        progress_.close(options_.out);
+        if (all) return frames_->remove_older();
+        if (frames_->older() == 0) return;
+        tell("drape-capture: " + options_.out + " still has " + std::to_string(frames_->older()) +
+             " frames of an earlier run");
+    }
+
+    void finish() {
+        if (!session_.replay_notice().empty()) tell("drape-capture: " + session_.replay_notice());
+        const std::string doubt = session_.simulation().run_warning();
+        if (!doubt.empty() && !diverged()) tell("warning: " + doubt);
+        if (state_.wanted()) {
+            write_state_header(state_.stream(), session_.simulation());
+            write_state(state_.stream(), session_.simulation());
+        }
+        state_.close();
+        stats_.close();
+        save_snapshot(options_.start.save, session_.simulation());
+        if (options_.start.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
+    }
+
+    [[nodiscard]] bool finish_video() {
+        if (!video_) return true;
+        video_->close();
+        if (video_->error().empty()) return true;
+        tell("drape-capture: no video, " + video_->error() + (frames_ ? "; the pictures are in " + options_.out : ""));
+        return false;
+    }
+
+    const StopSignals& signals_;
+    CaptureOptions options_;
+    Session session_;
+    Camera camera_;
+    std::optional<FrameWriter> frames_;
+    std::optional<VideoPipe> video_;
+    OutputFile stats_, state_;
+    std::unique_ptr<OffscreenContext> context_;
+    std::unique_ptr<Renderer> renderer_;
+    Progress progress_;
+    std::vector<StatsColumn> columns_;  ///< of `stats_`
+    int frame_ = 0;
+    double frame_rate_ = 0;  ///< per simulated second
+    std::string failure_;    ///< what was told of the state that has diverged
+};
+
 }  // namespace
 
-Capture::Capture(CaptureOptions options, const StopSignals& signals)
-    : signals_(signals),
-      options_(std::move(options)),
-      session_(make_session(checked_start(options_))),
-      camera_(session_.simulation().settings().view),
-      stats_(options_.stats),
-      state_(options_.state),
-      progress_(static_cast<std::size_t>(options_.frames / options_.every), "picture") {
-    // A scene in slow motion has more frames, which a video shows as slowly as a window does
-    constexpr double display_rate = 60;
-    const double video_rate = options_.fps.value_or(display_rate) / options_.every;
-    frame_rate_ = options_.fps.value_or(display_rate / session_.simulation().settings().view.speed);
-    if (!options_.out.empty()) frames_.emplace(options_.out, options_.frames, options_.again);
-    if (!options_.video.empty()) {
-        video_.emplace(options_.video, options_.size, video_rate, signals_);
-        if (!video_->error().empty() && !frames_) throw RunError(video_->error());
-    }
-    if (stats_.wanted()) {
-        columns_.push_back({"frame", "", [this](const FrameView&) { return std::to_string(frame_); }});
-        add_report_columns(columns_);
-        for (const FrameField& field : frame_fields) {
-            columns_.push_back({std::string(field.name), std::string(field.unit), [this, &field](const FrameView&) {
-                                    return real_text(field.read(renderer_->report()));
-                                }});
-        }
-        add_ball_columns(columns_, session_.simulation().balls().size());
-        write_stats_head(stats_.stream(), columns_);
-    }
-    if (options_.drawing()) {
-        context_ = std::make_unique<OffscreenContext>(options_.context);
-        renderer_ = std::make_unique<Renderer>();
-        renderer_->resize(options_.size.width, options_.size.height);
-        renderer_->panels().help = help_lines(make_entries(scene_names()));
-        renderer_->panels().set_scene(session_.simulation().settings());
-        // The panel shows what the frame before cost, and the first picture shall have one
-        if (options_.overlay) draw();
-    }
-}
-
-int Capture::run() {
-    int exit_code = Done;
-    const std::string warning = session_.simulation().step_warning();
-    if (!warning.empty()) tell("warning: " + warning);
-    for (frame_ = 1; frame_ <= options_.frames && exit_code == Done; ++frame_) {
-        const double time = session_.start_time() + frame_ / frame_rate_;
-        const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });
-        tell_of_crossings();
-        if (diverged()) {
-            fail();
-            exit_code = Failed;
-        } else if (whole && options_.drawing()) {
-            follow_replay();
-            if (frame_ % options_.every == 0) draw_frame();
-        }
-        if (const int signal = signals_.arrived()) exit_code = 128 + signal;
-    }
-    if (frames_) end_frames(exit_code == Done);
-    finish();
-    if ((!finish_video() || session_.replay_differs()) && exit_code == Done) exit_code = Failed;
-    return exit_code;
-}
-
-void Capture::tell_of_crossings() {
-    const std::int64_t starts = session_.simulation().report().crossing.starts;
-    if (std::exchange(crossings_told_, starts) == starts || starts == 0) return;
-    tell("warning: " + session_.simulation().crossing_warning());
-}
-
-void Capture::draw_frame() {
-    draw();
-    if (frames_ || video_) {
-        const auto image = std::make_shared<Image>(renderer_->read_back());
-        if (frames_) image->texts = picture_texts(session_.simulation());
-        if (frames_) frames_->write(image, frame_);
-        if (frames_) progress_.advance();
-        if (video_) video_->write(*image);
-    }
-    if (stats_.wanted()) {
-        write_stats_row(stats_.stream(), columns_, session_.view());
-        stats_.flush();
-    }
-}
-
-void Capture::follow_replay() {
-    for (const Command& command : session_.take_view_commands()) {
-        if (changes_scene(command)) {
-            camera_ = Camera(session_.simulation().settings().view);
-            renderer_->panels().set_scene(session_.simulation().settings());
-        } else {
-            camera_.apply(command, session_.view());
-        }
-    }
-}
-
-void Capture::draw() {
-    FrameView view = session_.view();
-    std::optional<Settings> without_panel;
-    if (!options_.overlay && view.settings->view.panel != PanelSize::Off) {
-        without_panel.emplace(*view.settings).view.panel = PanelSize::Off;
-        view.settings = &*without_panel;
-    }
-    std::vector<std::string> notices;
-    if (options_.overlay) {
-        if (!session_.replay_notice().empty()) notices.push_back(session_.replay_notice());
-        for (std::string& line : state_notices(session_.simulation(), failure_)) notices.push_back(std::move(line));
-    }
-    renderer_->draw(view, camera_, notices);
-}
-
-// Its last good state is the last picture.
-void Capture::fail() {
-    failure_ = tell_failure(session_.simulation(), options_.out);
-    if (options_.drawing()) {
-        follow_replay();
-        draw_frame();
-    }
-    if (frames_) frames_->finish();
-    progress_.clear();
-    tell("drape-capture: " + session_.simulation().report().error +
-         (frames_ ? "; " + frames_->last().string() + " shows the last good state" : ""));
-    tell(failure_);
-}
-
-void Capture::end_frames(bool all) {
-    frames_->finish();
-    progress_.close(options_.out);
-    if (all) return frames_->remove_older();
-    if (frames_->older() == 0) return;
-    tell("drape-capture: " + options_.out + " still has " + std::to_string(frames_->older()) +
-         " frames of an earlier run");
-}
-
-void Capture::finish() {
-    if (!session_.replay_notice().empty()) tell("drape-capture: " + session_.replay_notice());
-    const std::string doubt = session_.simulation().run_warning();
-    if (!doubt.empty() && !diverged()) tell("warning: " + doubt);
-    if (state_.wanted()) {
-        write_state_header(state_.stream(), session_.simulation());
-        write_state(state_.stream(), session_.simulation());
-    }
-    state_.close();
-    stats_.close();
-    save_snapshot(options_.start.save, session_.simulation());
-    if (options_.start.hash) std::cout << hash_text(session_.simulation().hash()) << "\n" << std::flush;
-}
-
-bool Capture::finish_video() {
-    if (!video_) return true;
-    video_->close();
-    if (video_->error().empty()) return true;
-    tell("drape-capture: no video, " + video_->error() + (frames_ ? "; the pictures are in " + options_.out : ""));
-    return false;
-}
+int capture(CaptureOptions options, const StopSignals& signals) { return Capture(std::move(options), signals).run(); }
 
 }  // namespace drape

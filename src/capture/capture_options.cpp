@@ -62,13 +62,13 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     line.footer([] { return "Settings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;
 
+    const bool writes_more = !options.video.empty() || !options.stats.empty() || !options.state.empty() ||
+                             !options.start.save.empty() || options.start.hash;
     options.size = parse_size(size);
     options.context = context_kind(context);
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
-        const bool alone = options.start.empty() && frames.empty() && options.video.empty() && options.stats.empty() &&
-                           options.state.empty() && options.start.save.empty() && !options.start.hash;
-        if (!alone)
+        if (!options.start.empty() || !frames.empty() || writes_more)
             throw InputError("--tour goes with --out, --size, --again, --overlay and --context only", line.help_hint());
         return options;
     }
@@ -77,9 +77,7 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     options.frames = whole_number("--frames", frames, most_frames);
     options.every = whole_number("--every", every, options.frames);
     if (!fps.empty()) options.fps = frame_rate(fps);
-    const bool anything = !options.out.empty() || !options.video.empty() || !options.stats.empty() ||
-                          !options.state.empty() || !options.start.save.empty() || options.start.hash;
-    if (!anything) {
+    if (options.out.empty() && !writes_more) {
         throw InputError("nothing to write: say --out DIR, or one of --video, --stats, --state, --save and --hash");
     }
     return options;

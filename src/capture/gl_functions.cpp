@@ -72,6 +72,22 @@ void load_gl_functions(const GlContext& context) {
     start_glew();
 }
 
+std::unique_ptr<GlContext> make_context(ContextKind kind, const MakeContext& osmesa, const MakeContext& egl) {
+    if (kind == ContextKind::Egl) return egl();
+    if (kind == ContextKind::Osmesa) return osmesa();
+    std::string why;
+    try {
+        return osmesa();
+    } catch (const RunError& error) {
+        why = error.what();
+    }
+    try {
+        return egl();
+    } catch (const RunError& error) {
+        throw RunError("no picture can be drawn without a display: " + why + "; " + error.what());
+    }
+}
+
 OffscreenContext::OffscreenContext(ContextKind kind)
     : context_(make_context(kind, make_osmesa_context, make_egl_context)) {
     load_gl_functions(*context_);

@@ -1,7 +1,5 @@
 #include "capture.h"
-#include "capture_options.h"
 #include "drape/base/run_program.h"
-#include "tour_pictures.h"
 
 namespace drape {
 namespace {
@@ -11,7 +9,7 @@ int run(int argc, char** argv) {
     if (!options) return Done;
     const StopSignals signals;
     if (options->tour) return draw_tour(*options, signals);
-    return Capture(std::move(*options), signals).run();
+    return capture(std::move(*options), signals);
 }
 
 }  // namespace

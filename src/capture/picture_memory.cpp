@@ -1,9 +1,8 @@
-#include "picture_memory.h"
-
 #include <algorithm>
 #include <string>
 #include <thread>
 
+#include "capture.h"
 #include "drape/base/input_error.h"
 #include "drape/base/memory_limit.h"
 

@@ -1,7 +1,6 @@
-#include "tour_pictures.h"
-
 #include <memory>
 
+#include "capture.h"
 #include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/render/entries.h"
@@ -11,7 +10,6 @@
 #include "drape/session/tour.h"
 #include "frame_writer.h"
 #include "gl_context.h"
-#include "picture_memory.h"
 
 namespace drape {
 

@@ -167,16 +167,17 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
     return key.starts_with(with_shift) ? find_entry(entries, key.substr(with_shift.size())) : nullptr;
 }
 
-std::vector<KeyHelp> first_hints() {
-    return {
+std::vector<KeyHelp> first_hints(bool has_ball) {
+    std::vector<KeyHelp> hints{
         {"Drag", "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
-        {"Arrow keys", "Move the ball; E and Shift+Q up and down", ShownIn::ScenesWithBall},
+        {"Arrow keys", "Move the ball; E and Shift+Q up and down"},
         {"Space", "Pause / Resume"},
-        {"B", "Bounding volumes that the ball is tested against", ShownIn::ScenesWithBall},
-        {"B", "Bounding volumes of the cloth", ShownIn::ScenesWithoutBall},
+        {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"},
         {"H, F1", "All keys; a tour"},
     };
+    if (!has_ball) hints.erase(hints.begin() + 2);
+    return hints;
 }
 
 std::vector<KeyHelp> tour_hint(std::size_t stop) {
@@ -195,7 +196,7 @@ std::string key_text(const Entry& entry) {
     return text;
 }
 
-std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball) {
     std::vector<std::vector<KeyHelp>> groups{{{"", "Mouse"},
                                               {"Left drag", "Orbit the view; on the cloth: pull it"},
                                               {"Middle or Shift+left drag", "Pan the view"},
@@ -203,15 +204,14 @@ std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries) {
                                               {"Wheel", "Zoom"},
                                               {"Right button", "Menu"}}};
     for (const Entry& entry : entries) {
-        if (entry.keys.empty()) continue;
-        const ShownIn where = entry.menu == "Ball" ? ShownIn::ScenesWithBall : ShownIn::AnyScene;
+        if (entry.keys.empty() || (entry.menu == "Ball" && !has_ball)) continue;
         const std::string heading = heading_of(entry), text = entry.help.empty() ? entry.text : entry.help;
         const auto has_heading = [&](const std::vector<KeyHelp>& lines) { return lines.front().text == heading; };
         auto group = std::ranges::find_if(groups, has_heading);
-        if (group == groups.end()) groups.push_back({{"", heading, where}}), group = groups.end() - 1;
+        if (group == groups.end()) groups.push_back({{"", heading}}), group = groups.end() - 1;
         const bool is_scene = entry.menu == "Scene";
         if (group->back().text != text) {
-            group->push_back({is_scene ? "1-9" : key_text(entry), text, where});
+            group->push_back({is_scene ? "1-9" : key_text(entry), text});
         } else if (!is_scene) {
             group->back().key += ", " + key_text(entry);
         }

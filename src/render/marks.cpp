@@ -60,7 +60,7 @@ int Marks::segments() const {
     return static_cast<int>(std::clamp<std::size_t>(share, 8, 48));
 }
 
-void Marks::need(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream) {
+void Marks::fill(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream) {
     const ViewSettings& shown = view.settings->view;
     show_particles_ = shown.particles;
     contact_count_ = particle_count_ = 0;
@@ -71,12 +71,24 @@ void Marks::need(const FrameView& view, std::span<const Outlines::Edge> crosses,
         show_pins_ = show_pins_ || (cloth.model.inverse_mass == 0).any();
         if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
     }
+    if (!view.cloths.empty()) {
+        const ClothModel& model = view.cloths.front().model;
+        spacing_ = static_cast<float>(std::min(model.hx, model.hy));
+    }
+    if (show_particles_) index_springs(view);
     if (shown.bounds) collect_bounds(view);
-    stream.need(Region::Contacts, static_cast<std::size_t>(contact_count_) * sizeof(ContactMark));
     collect_compared(view);
     bounds_.edges.insert(bounds_.edges.end(), crosses.begin(), crosses.end());
-    stream.need(Region::Spheres, bounds_.spheres.size() * sizeof(SphereMark));
-    stream.need(Region::Edges, 2 * bounds_.edges.size() * sizeof(EdgeMark));
+
+    fill_contacts(view, stream);
+    auto* sphere_mark = stream.room<SphereMark>(Region::Spheres, bounds_.spheres.size());
+    for (const auto& [centre, radius, state] : bounds_.spheres) {
+        *sphere_mark++ = {centre.cast<float>(), static_cast<float>(radius), static_cast<float>(state)};
+    }
+    auto* edge_mark = stream.room<EdgeMark>(Region::Edges, 2 * bounds_.edges.size());
+    for (const auto& [from, to, state] : bounds_.edges) {
+        for (const Vec3* end : {&from, &to}) *edge_mark++ = {end->cast<float>(), static_cast<float>(state)};
+    }
 }
 
 void Marks::collect_compared(const FrameView& view) {
@@ -107,15 +119,6 @@ void Marks::collect_bounds(const FrameView& view) {
     }
 }
 
-void Marks::arrange(const FrameView& view, const StreamBuffer& stream) {
-    for (StreamArray* array : {&springs_, &contacts_, &spheres_, &edges_}) array->follow(stream);
-    if (!view.cloths.empty()) {
-        const ClothModel& model = view.cloths.front().model;
-        spacing_ = static_cast<float>(std::min(model.hx, model.hy));
-    }
-    if (show_particles_) index_springs(view);
-}
-
 void Marks::index_springs(const FrameView& view) {
     if (!update_kept(view.cloths, grids_, grid_of)) return;
 
@@ -125,25 +128,16 @@ void Marks::index_springs(const FrameView& view) {
     fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, spring_indices_, springs.ends);
 }
 
-void Marks::fill(const FrameView& view, StreamBuffer& stream) const {
-    if (contact_count_ > 0) {
-        auto* mark = stream.data<ContactMark>(Region::Contacts);
-        const Real full = std::max(static_cast<Real>(full_force(view)), std::numeric_limits<Real>::min());
-        for (const ClothView& cloth : view.cloths) {
-            for (const ContactRow& contact : cloth.contacts) {
-                const auto [force, hold] = force_of(view, contact);
-                *mark++ = {contact.point(cloth.x).cast<float>(), (force / full).cast<float>(),
-                           hold_looks[static_cast<std::size_t>(hold)].colour};
-            }
+void Marks::fill_contacts(const FrameView& view, StreamBuffer& stream) const {
+    auto* mark = stream.room<ContactMark>(Region::Contacts, static_cast<std::size_t>(contact_count_));
+    if (contact_count_ == 0) return;
+    const Real full = std::max(static_cast<Real>(full_force(view)), std::numeric_limits<Real>::min());
+    for (const ClothView& cloth : view.cloths) {
+        for (const ContactRow& contact : cloth.contacts) {
+            const auto [force, hold] = force_of(view, contact);
+            *mark++ = {contact.point(cloth.x).cast<float>(), (force / full).cast<float>(),
+                       hold_looks[static_cast<std::size_t>(hold)].colour};
         }
-    }
-    auto* sphere_mark = stream.data<SphereMark>(Region::Spheres);
-    for (const auto& [centre, radius, state] : bounds_.spheres) {
-        *sphere_mark++ = {centre.cast<float>(), static_cast<float>(radius), static_cast<float>(state)};
-    }
-    auto* edge_mark = stream.data<EdgeMark>(Region::Edges);
-    for (const auto& [from, to, state] : bounds_.edges) {
-        for (const Vec3* end : {&from, &to}) *edge_mark++ = {end->cast<float>(), static_cast<float>(state)};
     }
 }
 

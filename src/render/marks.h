@@ -22,12 +22,7 @@ public:
 
     /// Collects what will be drawn.
     /// @param crosses lines that are drawn with those of the bounding volumes
-    void need(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream);
-
-    /// Follows new grids, and regions of the stream that moved.
-    void arrange(const FrameView& view, const StreamBuffer& stream);
-
-    void fill(const FrameView& view, StreamBuffer& stream) const;
+    void fill(const FrameView& view, std::span<const Outlines::Edge> crosses, StreamBuffer& stream);
 
     /// Adds bounds, and what is compared; the rest is at solids, or anywhere.
     void add_to(PictureBounds& bounds) const;
@@ -49,6 +44,7 @@ private:
     void collect_bounds(const FrameView& view);
     void collect_compared(const FrameView& view);
     void index_springs(const FrameView& view);
+    void fill_contacts(const FrameView& view, StreamBuffer& stream) const;
 
     /// Fainter where something is before it. Nothing that asks for depths may be drawn afterwards.
     template <class Draw>

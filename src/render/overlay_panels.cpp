@@ -120,14 +120,6 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
-// Those that mean something in a scene
-std::vector<KeyHelp> lines_for(const std::vector<KeyHelp>& all, bool has_ball) {
-    std::vector<KeyHelp> lines = all;
-    std::erase_if(lines, [elsewhere = has_ball ? ShownIn::ScenesWithoutBall : ShownIn::ScenesWithBall](
-                             const KeyHelp& line) { return line.where == elsewhere; });
-    return lines;
-}
-
 ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
     ImVec2 size{0, 0};
     for (const std::string& notice : notices) {
@@ -216,8 +208,6 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     plots_.keep(view);
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
-    if (showing_help) shown_help_ = lines_for(help, !view.balls.empty());
-    shown_hint_ = lines_for(hint, !view.balls.empty());
     const bool showing_panel = shown.panel != PanelSize::Off;
     const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
@@ -280,7 +270,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
         fonts_[help_shown->font].push();
         const ImVec2 size_of_all = help_shown->layout.size(margin);
         const float bottom = std::min(margin + size_of_all.y, page.height - margin);
-        key_panel(shown_help_, help_shown->layout, {right - size_of_all.x, margin, right, bottom}, margin);
+        key_panel(help, help_shown->layout, {right - size_of_all.x, margin, right, bottom}, margin);
         ImGui::PopFont();
     } else {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
@@ -322,7 +312,7 @@ OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float ri
     const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
     for (std::size_t smaller = font;; --smaller) {
         fonts_[smaller].push();
-        KeyLayout layout = lay_out_help(shown_help_, right - left, page.height - 2 * page.margin, page.margin);
+        KeyLayout layout = lay_out_help(help, right - left, page.height - 2 * page.margin, page.margin);
         ImGui::PopFont();
         if (layout.whole || smaller == 0) return {smaller, std::move(layout)};
     }
@@ -333,11 +323,11 @@ void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const 
     for (std::size_t smaller = font + 1; smaller-- > 0;) {
         fonts_[smaller].push();
         const float row = ImGui::GetTextLineHeightWithSpacing();
-        const auto within = [&](float width) { return one_column(shown_hint_, width, row, page.margin); };
+        const auto within = [&](float width) { return one_column(hint, width, row, page.margin); };
         const auto size_within = [&](float width) { return within(width).size(page.margin); };
         const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
         const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
-        if (box) key_panel(shown_hint_, within(box->right - box->left + 0.5f), *box, page.margin);
+        if (box) key_panel(hint, within(box->right - box->left + 0.5f), *box, page.margin);
         ImGui::PopFont();
         if (box) return;
     }

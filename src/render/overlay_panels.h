@@ -49,8 +49,7 @@ public:
     }
     [[nodiscard]] bool have_pointer() const override;
     [[nodiscard]] bool have_keyboard() const override;
-    [[nodiscard]] bool has_list() const override { return settings.list_open(); }
-    void close_list() override { settings.close_list(); }
+    [[nodiscard]] bool close_list() override { return settings.close_list(); }
     [[nodiscard]] bool shows_timeline() const override { return timeline_.width() > 0; }
 
     SettingsPanel settings{wishes};
@@ -88,7 +87,6 @@ private:
     PlotHistory plots_;
     ComparisonPanel comparison_;
     PanelBox timeline_;
-    std::vector<KeyHelp> shown_help_, shown_hint_;  ///< lines that mean something in the scene
     std::vector<PanelBox> boxes_;
     std::shared_ptr<ImGuiContext> context_;
     Input input_;

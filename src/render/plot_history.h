@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <deque>
 #include <string>
@@ -51,7 +52,21 @@ public:
     static constexpr std::size_t most = 300;
 
     /// Keeps the figures of a moment, unless it is the same as the last or too near to it to be told apart.
-    void keep(const FrameView& view);
+    void keep(const FrameView& view) {
+        constexpr double history = 10;  // s of wall time
+        const StepReport& report = *view.report;
+        span_ = history * view.settings->view.speed;
+        if (view.scene != scene_ || (!moments_.empty() && report.time < moments_.back().time)) moments_.clear();
+        scene_ = view.scene;
+        if (!moments_.empty() && report.time < moments_.back().time + span_ / most) return;
+        if (moments_.size() == most) moments_.pop_front();
+        Moment& now = moments_.emplace_back();
+        now.time = report.time;
+        for (std::size_t c = 0; c < plot_curves.size(); ++c) {
+            const double value = plot_curves[c].read(report);
+            now.values[c] = std::isnan(value) ? 0 : static_cast<float>(std::clamp(value, -1e30, 1e30));
+        }
+    }
 
     /// How much time the plots show [s].
     [[nodiscard]] double span() const { return span_; }
@@ -60,7 +75,11 @@ public:
     [[nodiscard]] std::size_t size() const { return moments_.size(); }
 
     /// The oldest moment that the plots show. @pre size() > 0
-    [[nodiscard]] std::size_t oldest_shown() const;
+    [[nodiscard]] std::size_t oldest_shown() const {
+        std::size_t oldest = 0;
+        while (moments_.back().time - time(oldest) > span_) ++oldest;
+        return oldest;
+    }
 
     /// Of the k-th moment, from the oldest [s].
     [[nodiscard]] double time(std::size_t k) const { return moments_[k].time; }

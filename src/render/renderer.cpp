@@ -1,12 +1,11 @@
 #include "drape/render/renderer.h"
 
-#include <imgui.h>
-
 #include <algorithm>
-#include <array>
+#include <string>
 #include <utility>
 
 #include "cloth_colours.h"
+#include "drape/base/input_error.h"
 #include "frame_data.h"
 #include "frame_meter.h"
 #include "marks.h"
@@ -35,6 +34,18 @@ void set_state(Gl& gl) {
 }
 
 }  // namespace
+
+void start_glew() {
+    glewExperimental = GL_TRUE;
+    const GLenum status = glewInit();
+    // GLEW asks for GLX last, when it has filled in all functions
+    const bool no_glx = status == GLEW_ERROR_GLX_VERSION_11_ONLY || status == GLEW_ERROR_NO_GLX_DISPLAY;
+    if (status != GLEW_OK && !no_glx) {
+        throw RunError("OpenGL's functions were not found: " +
+                       std::string(reinterpret_cast<const char*>(glewGetErrorString(status))));
+    }
+    if (!GLEW_VERSION_3_3) throw RunError("OpenGL's functions were not found: there is no OpenGL 3.3");
+}
 
 // In the order in which they are made; each may use those above it.
 struct Renderer::Parts {
@@ -95,35 +106,25 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
 }
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
-    // What each part needs of the one buffer
     colours.collect(view);
     panels.colours = colours.scale();
     crosses.collect(view);
     panels.full_strain = crosses.full();
     const bool overlay = panels.build(view, camera, report, notices, width, height);
-    stream.need(Region::Frame, sizeof(FrameData));
-    solids.need(view, stream);
-    marks.need(view, crosses.lines(), stream);
-    painter.need(overlay, stream);
+    solids.follow(view, stream);
 
-    // Regions that moved, and new grids
-    stream.arrange();
-    solids.arrange(view, stream);
-    marks.arrange(view, stream);
-    painter.arrange(stream);
-
-    // Everything into it, and up
+    // Everything into the one buffer, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
     FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders());
+    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
+    solids.fill(view, colours, {camera.eye(), pixels}, stream);
+    marks.fill(view, crosses.lines(), stream);
+    painter.fill(overlay, stream);
     data.counts[0] = marks.springs()[0];
     data.counts[1] = marks.springs()[1];
     data.counts[2] = marks.segments();
     data.shadow[1] = marks.spacing();
-    *stream.data<FrameData>(Region::Frame) = data;
-    const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
-    solids.fill(view, colours, {camera.eye(), pixels}, stream);
-    marks.fill(view, stream);
-    painter.fill(stream);
+    *stream.room<FrameData>(Region::Frame, 1) = data;
     stream.upload();
 }
 

@@ -19,11 +19,10 @@ struct SliderScale {
 /// @param scene_value of the setting in the scene as it was loaded
 SliderScale slider_scale(const Setting& setting, double scene_value);
 
-/// What a row of the settings panel shows of its setting. Texts are made with the row, not in every frame.
+/// What a row of the settings panel shows of its setting.
 struct SettingRow {
     const Setting* setting;
-    std::string name;           ///< of what it changes: "solver.dt", "ball[1].radius"
-    std::size_t number, count;  ///< which of several cloths, balls, solids or pins it is of
+    std::string name;  ///< of what it changes: "solver.dt", "ball[1].radius"
     std::string label, format;
     SettingValue value;
     std::optional<SettingValue> of_the_scene;
@@ -57,9 +56,11 @@ public:
         if (closing_list_) list_open_ = closing_list_ = false;
     }
 
-    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    /// Whether a list of names was open as it was last drawn.
     [[nodiscard]] bool list_open() const { return list_open_; }
-    void close_list() { closing_list_ = true; }
+
+    /// Closes it as it is drawn next. @return whether it was open
+    bool close_list() { return closing_list_ = list_open_; }
 
     /// Nothing is being changed any more.
     void forget() { held_widget_ = 0; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "drape/base/numbers.h"
 #include "overlay_style.h"
@@ -38,22 +39,19 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
     constexpr auto flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoFocusOnAppearing;
     if (begin_window(window, "settings", flags, page.margin)) {
-        if (!is_up_to_date(settings)) make_rows(settings);
         compare.draw(view, scene_, widget_width());
+        std::string section;
         bool open = false;
-        for (const Row& row : rows_) {
-            if (!row.heading.empty()) {
-                const std::string& section = row.setting->section;
-                const bool sought = seeks_ && marked_->section == section;
-                const bool usual = section == "solver" || section == "contact";
-                ImGui::SetNextItemOpen(sought || usual, sought ? ImGuiCond_Always : ImGuiCond_Once);
-                open = ImGui::CollapsingHeader(row.heading.c_str());
-                if (open && row.count > 1) selector(row);
-            }
-            if (open) draw_row(row);
-            if (open && row.name == "solver.dt") offer_step(view);
+        for (const Setting& setting : setting_table()) {
+            const std::size_t count = section_count(settings, setting);
+            if (!has_panel_row(setting) || count == 0) continue;
+            std::size_t& number = numbers_[setting.section];
+            if (number >= count) number = 0;
+            if (std::exchange(section, setting.section) != section) open = heading(section, count);
+            if (!open) continue;
+            draw_row(make_setting_row(setting, number, settings, scene_));
+            if (setting.full_name() == "solver.dt") offer_step(view);
         }
-        if (const auto wanted = std::exchange(wanted_, {})) show(wanted->first, wanted->second);
     }
     end_window();
     editor_.end_frame();
@@ -61,47 +59,27 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
 
 void SettingsPanel::show(const std::string& section, std::size_t number) {
     numbers_[section] = number;
-    rows_.clear();
     editor_.forget();
 }
 
-/// "< Ball 2 of 3 >"
-void SettingsPanel::selector(const Row& first) {
-    ImGui::PushID(first.heading.c_str());
-    if (ImGui::SmallButton("<")) wanted_ = {first.setting->section, (first.number + first.count - 1) % first.count};
+/// With "< Ball 2 of 3 >" below it where there are several.
+/// @return whether its rows are shown
+bool SettingsPanel::heading(const std::string& section, std::size_t count) {
+    const std::string text = capitalised(section);
+    const bool sought = seeks_ && marked_->section == section;
+    const bool usual = section == "solver" || section == "contact";
+    ImGui::SetNextItemOpen(sought || usual, sought ? ImGuiCond_Always : ImGuiCond_Once);
+    if (!ImGui::CollapsingHeader(text.c_str())) return false;
+    if (count == 1) return true;
+    const std::size_t number = numbers_[section];
+    ImGui::PushID(text.c_str());
+    if (ImGui::SmallButton("<")) show(section, (number + count - 1) % count);
     ImGui::SameLine();
-    ImGui::Text("%s %zu of %zu", first.heading.c_str(), first.number + 1, first.count);
+    ImGui::Text("%s %zu of %zu", text.c_str(), number + 1, count);
     ImGui::SameLine();
-    if (ImGui::SmallButton(">")) wanted_ = {first.setting->section, (first.number + 1) % first.count};
+    if (ImGui::SmallButton(">")) show(section, (number + 1) % count);
     ImGui::PopID();
-}
-
-/// Those of the view have no comparison of their own, and no value that would need memory.
-bool SettingsPanel::is_up_to_date(const Settings& settings) const {
-    const auto is_shown = [&](const Row& row) {
-        return row.setting->section != "view" || row.setting->read(settings, row.number) == row.value;
-    };
-    const auto same = [&](auto... parts) { return ((settings.*parts == shown_.*parts) && ...); };
-    return !rows_.empty() &&
-           same(&Settings::cloths, &Settings::balls, &Settings::solids, &Settings::pins, &Settings::solver,
-                &Settings::contact, &Settings::ground, &Settings::world, &Settings::wind) &&
-           std::ranges::all_of(rows_, is_shown);
-}
-
-/// Texts are made here, not in every frame.
-void SettingsPanel::make_rows(const Settings& settings) {
-    rows_.clear();
-    shown_ = settings;
-    std::string_view section;
-    for (const Setting& setting : setting_table()) {
-        const std::size_t count = section_count(settings, setting);
-        if (!has_panel_row(setting) || count == 0) continue;
-        std::size_t& number = numbers_[setting.section];
-        if (number >= count) number = 0;
-        rows_.push_back({make_setting_row(setting, number, settings, scene_),
-                         setting.section == section ? "" : capitalised(setting.section)});
-        section = setting.section;
-    }
+    return true;
 }
 
 /// Where the method is no longer the scene's, or the step too long for it.
@@ -119,7 +97,7 @@ void SettingsPanel::offer_step(const FrameView& view) {
     ImGui::TextUnformatted(2 * step < view.longest_step ? "one step a picture" : "0.9 of its limit");
 }
 
-void SettingsPanel::draw_row(const Row& row) {
+void SettingsPanel::draw_row(const SettingRow& row) {
     ImGui::PushID(row.name.c_str());
     if (row.setting == marked_) {
         const ImVec2 at = ImGui::GetCursorScreenPos(), far{window.right, at.y + ImGui::GetFrameHeight()};

@@ -1,10 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "compare_section.h"
 #include "drape/scene/setting_table.h"
@@ -29,7 +27,6 @@ public:
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
         scene_ = settings;
-        rows_.clear();
         numbers_.clear();
         seeks_ = false, marked_ = nullptr;
         editor_.forget();
@@ -51,9 +48,9 @@ public:
         if (window.width() == 0) wishes_.changes.emplace_back("view.controls=true");
     }
 
-    /// Whether a list of names was open as it was last drawn, and closes it as it is drawn next.
+    /// As those of the editor.
     [[nodiscard]] bool list_open() const { return editor_.list_open(); }
-    void close_list() { editor_.close_list(); }
+    bool close_list() { return editor_.close_list(); }
 
     /// The panel is not shown.
     void hide() {
@@ -66,25 +63,16 @@ public:
     CompareSection compare;
 
 private:
-    struct Row : SettingRow {
-        std::string heading;  ///< of a section that begins; else empty
-    };
-
-    [[nodiscard]] bool is_up_to_date(const Settings& settings) const;
     [[nodiscard]] float widget_width() const { return 0.48f * window.width(); }
-    void make_rows(const Settings& settings);
-    void selector(const Row& first);
-    void draw_row(const Row& row);
+    [[nodiscard]] bool heading(const std::string& section, std::size_t count);
+    void draw_row(const SettingRow& row);
     void offer_step(const FrameView& view);
 
     Settings scene_;
     PanelWishes& wishes_;
-    std::vector<Row> rows_;                                      ///< of `shown_`
-    std::map<std::string, std::size_t> numbers_;                 ///< of those that are shown, by section
-    std::optional<std::pair<std::string, std::size_t>> wanted_;  ///< by a button of this frame
+    std::map<std::string, std::size_t> numbers_;  ///< of those that are shown, by section
     const Setting* marked_ = nullptr;
     bool seeks_ = false;  ///< it was not drawn yet
-    Settings shown_;
     SettingEditor editor_;
 };
 

@@ -117,7 +117,7 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     points.set(gl, 0);
 
     fill_static(gl, GL_ARRAY_BUFFER, cloth_places_, std::vector<ClothPlace>{{}});
-    for (const StreamArray* array : {&cloths_, &outlined_}) {
+    for (StreamArray* array : {&cloths_, &outlined_}) {
         array->bind();
         place_layout.enable(gl);
         place_layout.set(gl, 0);
@@ -126,23 +126,36 @@ Solids::Solids(Gl& gl, StreamBuffer& stream)
     stream.bind_vertices();
 }
 
-void Solids::need(const FrameView& view, StreamBuffer& stream) {
+void Solids::follow(const FrameView& view, StreamBuffer& stream) {
     particle_count_ = 0;
     for (const ClothView& cloth : view.cloths)
         particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
-    bodies_changed_ = update_bodies(view);
+    ball_count_ = static_cast<int>(view.balls.size());
+    hang(view, holders_);
+    const bool has_other_bodies = update_bodies(view);
 
     // The colours of nodes are those of whole cells, and lines are drawn between particles
     const ViewSettings& shown = view.settings->view;
     smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
               particle_count_ <= SmoothOutline::max_particles;
     coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
-    const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
-    stream.need(Region::Cloth, (fixed_vertices() + middles) * sizeof(ClothVertex));
-    stream.need(Region::ClothIndices, smooth_ ? 24 * particle_count_ * sizeof(std::uint32_t) : 0);
-    stream.need(Region::Balls, view.balls.size() * sizeof(DrawnBall));
-    hang(view, holders_);
-    stream.need(Region::Holders, holders_.size() * sizeof(Holder));
+
+    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
+    const bool regrown = update_kept(view.cloths, grids_, grid_of) || has_other_bodies;
+    if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
+    if (regrown) index_triangles();
+}
+
+void Solids::index_triangles() {
+    std::vector<std::uint32_t> indices = triangle_indices(grids_);
+    cloth_index_count_ = static_cast<int>(indices.size());
+    append_indices(meshes_, particle_count_, indices);
+    body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
+    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_, coarse_step(particle_count_));
+    coarse_index_count_ = static_cast<int>(coarse.size());
+    indices.insert(indices.end(), coarse.begin(), coarse.end());
+    cloths_.bind();
+    fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
 }
 
 // @return false if their meshes were at hand
@@ -177,29 +190,9 @@ void Solids::fill_places(const FrameView& view, StreamBuffer& stream) {
     stream.bind_vertices();
 }
 
-void Solids::arrange(const FrameView& view, StreamBuffer& stream) {
-    cloths_.follow(stream);
-    outlined_.follow(stream);
-    balls_.follow(stream);
-    held_from_.follow(stream);
-    ball_count_ = static_cast<int>(view.balls.size());
-    const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
-    const bool regrown = update_kept(view.cloths, grids_, grid_of) || bodies_changed_;
-    if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
-    if (!regrown) return;
-    std::vector<std::uint32_t> indices = triangle_indices(grids_);
-    cloth_index_count_ = static_cast<int>(indices.size());
-    append_indices(meshes_, particle_count_, indices);
-    body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
-    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_, coarse_step(particle_count_));
-    coarse_index_count_ = static_cast<int>(coarse.size());
-    indices.insert(indices.end(), coarse.begin(), coarse.end());
-    cloths_.bind();
-    fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
-}
-
 void Solids::fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream) {
-    auto* vertex = stream.data<ClothVertex>(Region::Cloth);
+    const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
+    auto* vertex = stream.room<ClothVertex>(Region::Cloth, fixed_vertices() + middles);
     for (const ClothView& cloth : view.cloths) {
         fill_cloth_vertices(cloth, view.blend, vertex);
         fill_hollows(cloth.model, vertex);
@@ -207,10 +200,9 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, const View
     }
     colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
     for (std::size_t i = 0; i < view.solids.size(); ++i) vertex = fill_body(view, i, meshes_[i], vertex);
-    outline_room_ = 0;
-    if (smooth_) fill_outlines(view, from, stream);
-    std::ranges::copy(holders_, stream.data<Holder>(Region::Holders));
-    auto* balls = stream.data<DrawnBall>(Region::Balls);
+    fill_outlines(view, from, stream);
+    std::ranges::copy(holders_, stream.room<Holder>(Region::Holders, holders_.size()));
+    auto* balls = stream.room<DrawnBall>(Region::Balls, view.balls.size());
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
         const float steered = static_cast<int>(i) == view.steered_ball ? 1 : 0;
         balls[i] = {drawn_ball(view, i), drawn_orientation(view, i), steered};
@@ -218,8 +210,10 @@ void Solids::fill(const FrameView& view, const ClothColours& colours, const View
 }
 
 void Solids::fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {
+    auto* const indices = stream.room<std::uint32_t>(Region::ClothIndices, smooth_ ? 24 * particle_count_ : 0);
     auto* const vertices = stream.data<ClothVertex>(Region::Cloth);
-    auto* const indices = stream.data<std::uint32_t>(Region::ClothIndices);
+    outline_room_ = 0;
+    if (!smooth_) return;
     std::size_t first = 0;
     std::uint32_t* end = indices;
     for (const ClothView& cloth : view.cloths) {

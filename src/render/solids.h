@@ -26,10 +26,8 @@ class Solids {
 public:
     Solids(Gl& gl, StreamBuffer& stream);
 
-    void need(const FrameView& view, StreamBuffer& stream);
-
-    /// Follows new grids, and regions of the stream that moved.
-    void arrange(const FrameView& view, StreamBuffer& stream);
+    /// Follows new grids and shapes, and finds what cloths hang from.
+    void follow(const FrameView& view, StreamBuffer& stream);
 
     void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream);
 
@@ -54,6 +52,7 @@ private:
     void draw_holders();
     bool update_bodies(const FrameView& view);
     void fill_places(const FrameView& view, StreamBuffer& stream);
+    void index_triangles();
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
     void draw_indices(int first, int count);
     [[nodiscard]] std::size_t fixed_vertices() const { return particle_count_ + body_vertex_count_; }
@@ -73,7 +72,6 @@ private:
     bool coarse_ = false;  ///< rows and columns of particles are left out
     int outlined_index_count_ = 0;
     float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
-    bool bodies_changed_ = false;
     std::size_t particle_count_ = 0, body_vertex_count_ = 0;
     int cloth_index_count_ = 0, coarse_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0,
         ball_count_ = 0;

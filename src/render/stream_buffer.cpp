@@ -17,44 +17,42 @@ std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignm
 
 }  // namespace
 
-StreamBuffer::StreamBuffer(Gl& gl) : gl_(gl), buffer_(gl), needs_(usual) {
-    arrange();
+StreamBuffer::StreamBuffer(Gl& gl) : gl_(gl), buffer_(gl) {
+    for (std::size_t i = 0; i < regions; ++i) make_room(static_cast<Region>(i), usual[i]);
     bind_vertices();
     upload();
     gl(glBindBufferRange, GL_UNIFORM_BUFFER, 0, buffer_.name(), 0,
        static_cast<GLsizeiptr>(usual[index(Region::Frame)]));
 }
 
-void StreamBuffer::arrange() {
-    std::size_t end = staging_.size();
-    for (std::size_t i = 0; i < regions; ++i) {
-        if (needs_[i] <= capacities_[i]) continue;
-        capacities_[i] = aligned(std::max(needs_[i], capacities_[i] + capacities_[i] / 2));
-        starts_[i] = end;
-        end += capacities_[i];
-    }
-    staging_.resize(end);
+void StreamBuffer::make_room(Region region, std::size_t bytes) {
+    const std::size_t i = index(region);
+    sizes_[i] = bytes;
+    if (bytes <= capacities_[i]) return;
+    capacities_[i] = aligned(std::max(bytes, capacities_[i] + capacities_[i] / 2));
+    starts_[i] = staging_.size();
+    staging_.resize(starts_[i] + capacities_[i]);
 }
 
 void StreamBuffer::upload() {
     std::size_t end = capacities_[index(Region::Frame)];
     for (std::size_t i = 0; i < regions; ++i) {
-        if (needs_[i] > 0) end = std::max(end, starts_[i] + needs_[i]);
+        if (sizes_[i] > 0) end = std::max(end, starts_[i] + sizes_[i]);
     }
     gl_(glBufferData, GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(end), staging_.data(), GL_STREAM_DRAW);
 }
 
 StreamArray::StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout)
-    : gl_(gl), array_(gl), region_(region), layout_(std::move(layout)), start_(stream.start(region)) {
+    : gl_(gl), stream_(stream), array_(gl), region_(region), layout_(std::move(layout)), start_(stream.start(region)) {
     bind();
     layout_.enable(gl);
     layout_.set(gl, start_);
 }
 
-void StreamArray::follow(const StreamBuffer& stream) {
-    if (stream.start(region_) == start_) return;
-    start_ = stream.start(region_);
-    bind();
+void StreamArray::bind() {
+    gl_(glBindVertexArray, array_.name());
+    if (stream_.start(region_) == start_) return;
+    start_ = stream_.start(region_);
     layout_.set(gl_, start_);
 }
 

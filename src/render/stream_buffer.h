@@ -25,19 +25,22 @@ enum class Region {
 
 /// One buffer for all that changes from frame to frame, so that a frame needs one upload.
 /// It stays bound to GL_ARRAY_BUFFER, for the upload and for `VertexLayout::set`.
-/// First every part says what it needs, then `arrange`, then the parts follow regions that moved and write, then
-/// `upload`.
+/// Every part asks for room and writes, then `upload`, then arrays follow regions that moved as they are bound.
 class StreamBuffer {
 public:
     /// Has room for a usual scene from the start, so that vertex arrays seldom have to follow.
     explicit StreamBuffer(Gl& gl);
 
-    void need(Region region, std::size_t bytes) { needs_[index(region)] = bytes; }
+    /// Makes room for all that a region has in this frame: where it grows beyond its capacity it moves to the end, and
+    /// what `room` and `data` gave before is no longer valid.
+    /// @return where it is written
+    template <class T>
+    T* room(Region region, std::size_t count) {
+        make_room(region, count * sizeof(T));
+        return data<T>(region);
+    }
 
-    /// Makes room: a region that has grown beyond its capacity moves to the end.
-    void arrange();
-
-    /// Where a region is written.
+    /// Where a region was written.
     template <class T>
     T* data(Region region) {
         return reinterpret_cast<T*>(staging_.data() + start(region));
@@ -58,9 +61,11 @@ private:
     static constexpr std::size_t regions = static_cast<std::size_t>(Region::Count);
     static std::size_t index(Region region) { return static_cast<std::size_t>(region); }
 
+    void make_room(Region region, std::size_t bytes);
+
     Gl& gl_;
     Buffer buffer_;
-    std::array<std::size_t, regions> needs_{}, capacities_{}, starts_{};
+    std::array<std::size_t, regions> sizes_{}, capacities_{}, starts_{};
     std::vector<std::byte> staging_;
 };
 
@@ -69,13 +74,12 @@ class StreamArray {
 public:
     StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout);
 
-    void bind() const { gl_(glBindVertexArray, array_.name()); }
-
-    /// To be called after `StreamBuffer::arrange`.
-    void follow(const StreamBuffer& stream);
+    /// Binds it, where the region is by now.
+    void bind();
 
 private:
     Gl& gl_;
+    const StreamBuffer& stream_;
     VertexArray array_;
     Region region_;
     VertexLayout layout_;

@@ -22,28 +22,23 @@ std::optional<std::uint64_t> parse_hash(std::string_view text) {
     return hash;
 }
 
-/// A line "STEP rest" in two; nothing if it does not start with the number of a step that a run can come to.
-std::optional<std::pair<std::int64_t, std::string>> split_entry(const std::string& line) {
+/// Takes in what one line says. @throws InputError if it says nothing that a recording can
+void read_entry(const std::string& line, int number, Recording& recording) {
     const std::size_t blank = line.find(' ');
-    if (blank == std::string::npos) return std::nullopt;
     const auto step = parse_integer(std::string_view(line).substr(0, blank));
-    if (!step || *step < 0 || *step > last_possible_step) return std::nullopt;
-    return std::pair(static_cast<std::int64_t>(*step), line.substr(blank + 1));
-}
-
-/// Appends what one line says. @throws InputError if it says nothing that a recording can
-void append_entry(const std::optional<std::pair<std::int64_t, std::string>>& entry, int number, Recording& recording) {
-    if (!entry) {
+    if (blank == std::string::npos || !step || *step < 0 || *step > last_possible_step) {
         throw InputError("expected 'STEP COMMAND' with 0 <= STEP <= " + std::to_string(last_possible_step));
     }
-    const auto& [step, text] = *entry;
-    if (!recording.entries.empty() && step < recording.entries.back().step) throw InputError("steps must not go back");
-    if (text.starts_with("hash ")) {
+    if (!recording.entries.empty() && *step < recording.entries.back().step) throw InputError("steps must not go back");
+    const std::string text = line.substr(blank + 1);
+    if (text == "end") {
+        recording.last_step = *step;
+    } else if (text.starts_with("hash ")) {
         const auto hash = parse_hash(std::string_view(text).substr(5));
         if (!hash) throw InputError("expected 'hash' and 16 hexadecimal digits");
-        recording.entries.push_back({step, *hash, number});
+        recording.entries.push_back({*step, *hash, number});
     } else {
-        recording.entries.push_back({step, parse_command(text), number});
+        recording.entries.push_back({*step, parse_command(text), number});
     }
 }
 
@@ -82,14 +77,9 @@ Recording read_recording(std::istream& in, const std::string& file) {
             recording.assignments.push_back(line.substr(4));
             continue;
         }
-        const auto entry = split_entry(line);
-        const bool forward = entry && (recording.entries.empty() || entry->first >= recording.entries.back().step);
-        if (forward && entry->second == "end") {
-            recording.last_step = entry->first;
-            return recording;
-        }
         try {
-            append_entry(entry, number, recording);
+            read_entry(line, number, recording);
+            if (recording.last_step) return recording;
         } catch (const InputError& error) {
             return cut(error.what());
         }

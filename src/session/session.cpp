@@ -124,7 +124,7 @@ void Session::compare_after(const Command& command) {
         comparison_->apply(command, simulation_);
     } catch (const std::runtime_error& error) {
         comparison_.reset();
-        tell_of_takeover(one_line(std::string("The comparison has ended: ") + error.what()));
+        news_.push_back({News::Topic::Takeover, one_line(std::string("The comparison has ended: ") + error.what())});
     }
 }
 
@@ -150,18 +150,13 @@ void Session::take_over() {
         std::exchange(recorder_, nullptr)->close(newest_);
         notice += "; the recording cannot be cut back, and ends with them";
     }
-    tell_of_takeover(std::move(notice));
+    news_.push_back({News::Topic::Takeover, std::move(notice)});
     log_.resize(next_entry_ - first_entry_);
     newest_ = last_step_ = steps_made_;
     step_times_.forget_from(steps_made_);
     idle_from_.reset();
     if (history_) history_->forget_after(steps_made_);
     for (const Command& command : simulation_.commands_to_let_go()) send(command);
-}
-
-void Session::tell_of_takeover(std::string notice) {
-    takeover_notice_ = std::move(notice);
-    ++takeovers_;
 }
 
 void Session::go_to(std::int64_t step) {
@@ -289,7 +284,9 @@ void Session::step() {
     const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
     if (!was_over) swing_.reset();
-    if (is_new && simulation_.report().crossing.starts > dangers) ++crossing_dangers_;
+    if (is_new && simulation_.report().crossing.starts > dangers) {
+        news_.push_back({News::Topic::Crossing, simulation_.crossing_warning()});
+    }
     if (comparison_) comparison_->follow(simulation_);
     if (history_ && !was_over && simulation_.report().status == Status::Diverged) start_swing();
     ++steps_made_;

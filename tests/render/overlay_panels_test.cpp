@@ -114,27 +114,6 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 
-TEST_F(PanelBoxes, SpeakOfABallOnlyWhereThereIsOne) {
-    settings_.view.help = true;
-    settings_.view.panel = PanelSize::Off;
-    panels_.help.assign(10, {"Space", "Pause"});
-    const auto height = [&](bool has_ball) {
-        FrameView view = simulation_.view();
-        view.settings = &settings_;
-        if (!has_ball) view.balls = {};
-        panels_.build(view, Camera(settings_.view), {}, {}, 1280, 720);
-        EXPECT_EQ(panels_.boxes().size(), 1u);
-        return panels_.boxes().front().bottom - panels_.boxes().front().top;
-    };
-    const float of_ten = height(true);
-    panels_.help.push_back({"X", "Throw the ball", ShownIn::ScenesWithBall});
-    EXPECT_GT(height(true), of_ten);
-    EXPECT_EQ(height(false), of_ten);
-    panels_.help.back().where = ShownIn::ScenesWithoutBall;
-    EXPECT_EQ(height(true), of_ten);
-    EXPECT_GT(height(false), of_ten);
-}
-
 TEST_F(PanelBoxes, NameNoNodeWhileTheHandHoldsTheCloth) {
     FrameView view = simulation_.view();
     view.settings = &settings_;

@@ -15,7 +15,10 @@ namespace drape {
 namespace {
 
 using test::ScratchFile;
+using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 constexpr double no_hurry = 1e9;  // s of wall time that the steps may take
 
@@ -87,7 +90,7 @@ TEST_P(TimeTravel, HasTheSameBitsBackAndForth) {
     session.send(command::Pause{});
     while (session.timeline().now < newest) session.advance(session.simulation().settings().solver.dt, no_hurry);
     EXPECT_EQ(session.simulation().hash(), traveller.hashes.back()) << "played again";
-    EXPECT_EQ(session.takeover_notice(), "");
+    EXPECT_THAT(session.take_news(), IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -122,7 +125,7 @@ TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
     }
     ASSERT_TRUE(traveller.finds_again(80));
     session.send(parse_command("set solver.dt=0.00048828125"));
-    EXPECT_THAT(session.takeover_notice(), HasSubstr("the 0.0938 s that came after"));
+    EXPECT_THAT(session.take_news(), ElementsAre(Field(&News::text, HasSubstr("the 0.0938 s that came after"))));
     traveller.hashes.resize(81);
     traveller.run(16);
     EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
@@ -143,7 +146,7 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
     traveller.session.record(file.name(), {});
     play_with(traveller);
     ASSERT_TRUE(traveller.finds_again(130));  // the hand holds a particle there
-    EXPECT_EQ(traveller.session.takeover_notice(), "");
+    EXPECT_THAT(traveller.session.take_news(), IsEmpty());
     traveller.session.send(parse_command("set view.bounds=true"));
     EXPECT_GT(traveller.session.timeline().newest, 600) << "what is seen takes nothing over";
     EXPECT_THROW(traveller.session.send(parse_command("set solver.dt=-1")), InputError);
@@ -151,8 +154,7 @@ TEST(History, LetsTheUserGoOnFromAnEarlierStep) {
 
     traveller.session.send(parse_command("set wind.on=true"));
     EXPECT_EQ(traveller.session.timeline().newest, 130);
-    EXPECT_THAT(traveller.session.takeover_notice(), HasSubstr("forgotten"));
-    EXPECT_EQ(traveller.session.takeovers(), 1);
+    EXPECT_THAT(traveller.session.take_news(), ElementsAre(Field(&News::text, HasSubstr("forgotten"))));
     EXPECT_FALSE(traveller.session.view().held) << "nobody's hand";
     traveller.hashes.resize(131);
     traveller.run(50);
@@ -215,7 +217,7 @@ TEST(History, LetsTheUserTakeOverFromAReplay) {
     EXPECT_TRUE(session.timeline().replay) << "a pause takes nothing over";
     session.send(parse_command("steer 1 0 0"));
     EXPECT_FALSE(session.timeline().replay);
-    EXPECT_THAT(session.takeover_notice(), HasSubstr("replay"));
+    EXPECT_THAT(session.take_news(), ElementsAre(Field(&News::text, HasSubstr("replay"))));
     make_steps(session, 100);
     EXPECT_FALSE(session.simulation().settings().wind.on);
 }

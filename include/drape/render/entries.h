@@ -71,14 +71,15 @@ private:
 /// "Space, P".
 std::string key_text(const Entry& entry);
 
-/// What a newcomer may try first, in scenes with a ball and in those without.
-std::vector<KeyHelp> first_hints();
+/// What a newcomer may try first, in a scene with a ball or in one without.
+std::vector<KeyHelp> first_hints(bool has_ball);
 
 /// What the hint panel says at a stop of the tour, counted from 0: what to see, what to try, what to read.
 std::vector<KeyHelp> tour_hint(std::size_t stop);
 
 /// The lines of the help by groups, each after its heading: the mouse's, then one for each entry with a key; the scenes
 /// share one.
-std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries);
+/// @param has_ball whether the scene has one: in others its entries mean nothing
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball = true);
 
 }  // namespace drape

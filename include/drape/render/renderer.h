@@ -41,14 +41,10 @@ inline constexpr std::array frame_fields{
     FrameField{"cpu", "", [](const FrameReport& r) { return r.cpu; }},
 };
 
-/// In which scenes a line is shown.
-enum class ShownIn { AnyScene, ScenesWithBall, ScenesWithoutBall };
-
 /// What a key does, for the panels of help and hints; without a key, the heading of the lines after it.
 struct KeyHelp {
     std::string key;
     std::string text;
-    ShownIn where = ShownIn::AnyScene;
 
     [[nodiscard]] bool is_heading() const { return key.empty(); }
 };
@@ -96,9 +92,8 @@ public:
     [[nodiscard]] virtual bool have_pointer() const = 0;
     [[nodiscard]] virtual bool have_keyboard() const = 0;
 
-    /// Whether a list of names of the settings panel is open, and closes it with the next frame.
-    [[nodiscard]] virtual bool has_list() const = 0;
-    virtual void close_list() = 0;
+    /// Closes a list of names of the settings panel with the next frame. @return whether one is open
+    [[nodiscard]] virtual bool close_list() = 0;
 
     /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
     [[nodiscard]] virtual bool shows_timeline() const = 0;
@@ -131,7 +126,7 @@ public:
     [[nodiscard]] Panels& panels();
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
-    /// @param notices lines for the user (an error, a replay that ended), shown with the overlay or without
+    /// @param notices texts for the user (an error, a replay that ended), shown with the overlay or without
     void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices,
               DrawnFor use = DrawnFor::Picture);
 

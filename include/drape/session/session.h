@@ -19,6 +19,12 @@
 
 namespace drape {
 
+/// What happened to a run, for the user.
+struct News {
+    enum class Topic { Takeover, Crossing } topic;
+    std::string text;
+};
+
 /// A simulation in time, with its recording or its replay: the one loop that window, capture and lab share. Commands
 /// take effect between steps, and a recording keeps the number of the step before which each came.
 ///
@@ -48,15 +54,10 @@ public:
 
     [[nodiscard]] Timeline timeline() const;
 
-    /// What a command has ended, when one last did: what lay ahead, or a comparison; empty: nothing yet.
-    [[nodiscard]] const std::string& takeover_notice() const { return takeover_notice_; }
-
-    /// How often a command has ended something: a notice may say the same as the one before it.
-    [[nodiscard]] int takeovers() const { return takeovers_; }
-
-    /// How often a danger began that cloth and a ball or a solid pass through each other (`StepReport::crossing`), in
-    /// steps that were made for the first time: one that the user goes back to and plays again does not count again.
-    [[nodiscard]] int crossing_dangers() const { return crossing_dangers_; }
+    /// What there is to tell the user of since the last call: that a command has ended what lay ahead, or a comparison;
+    /// and that a danger began that cloth and a ball or a solid pass through each other (`StepReport::crossing`), in a
+    /// step that was made for the first time: one that the user goes back to and plays again is not told again.
+    [[nodiscard]] std::vector<News> take_news() { return std::exchange(news_, {}); }
 
     /// Carries out a command and records it.
     /// @throws InputError as `Simulation::apply` and `Comparison`, RunError as the latter; it is not recorded then
@@ -135,7 +136,6 @@ private:
     void compare(const command::Compare& command);
     void compare_after(const Command& command);
     void take_over();
-    void tell_of_takeover(std::string notice);
     void begin_history();
     void pass_moment();
     void arrive();
@@ -164,9 +164,7 @@ private:
     std::optional<std::int64_t> idle_from_;  ///< step from which on nothing happened: the run had diverged
     std::int64_t last_step_ = 0;             ///< of the recording
     std::optional<std::int64_t> target_;     ///< step on the way to which steps are made again
-    std::string takeover_notice_;
-    int takeovers_ = 0;
-    int crossing_dangers_ = 0;
+    std::vector<News> news_;
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
