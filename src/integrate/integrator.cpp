@@ -2,30 +2,45 @@
 
 #include <array>
 
+#include "bdf2.h"
+#include "dormand_prince.h"
+#include "explicit_methods.h"
 #include "methods.h"
+#include "projective_dynamics.h"
+#include "step_limits.h"
+#include "theta_method.h"
+#include "xpbd.h"
 
 namespace drape {
+namespace {
+
+template <class Method>
+std::unique_ptr<Integrator> make(const IntegratorParameters& parameters, const Grid& grid) {
+    return std::make_unique<Method>(parameters, grid);
+}
+
+}  // namespace
 
 const MethodRow& method_of(IntegratorKind kind) {
     // In the order of the kinds
     static constexpr std::array<MethodRow, 10> rows{{
-        {.make = make_euler, .longest_step = longest_step_of_explicit_euler, .numbers = 3},
-        {.make = make_euler, .longest_step = longest_step_of_symplectic_euler, .numbers = 3},
-        {.make = make_velocity_verlet,
+        {.make = make<Euler>, .longest_step = longest_step_of_explicit_euler, .numbers = 3},
+        {.make = make<Euler>, .longest_step = longest_step_of_symplectic_euler, .numbers = 3},
+        {.make = make<VelocityVerlet>,
          .longest_step = longest_step_of_velocity_verlet,
          .displacement = 0.5,
          .numbers = 9},
-        {.make = make_rk4, .longest_step = longest_step_of_rk4, .displacement = 0.5, .numbers = 15},
-        {.make = make_theta_method, .tolerance = 1e-4, .numbers = 18, .keeps = Keeps::NewtonSystem},
-        {.make = make_theta_method,
+        {.make = make<Rk4>, .longest_step = longest_step_of_rk4, .displacement = 0.5, .numbers = 15},
+        {.make = make<ThetaMethod>, .tolerance = 1e-4, .numbers = 18, .keeps = Keeps::NewtonSystem},
+        {.make = make<ThetaMethod>,
          .displacement = 0.5,
          .tolerance = 1e-6,
          .numbers = 18,
          .keeps = Keeps::NewtonSystem},
-        {.make = make_bdf2, .tolerance = 1e-4, .numbers = 33, .keeps = Keeps::NewtonSystem},
-        {.make = make_xpbd, .numbers = 15, .iterates = true},
-        {.make = make_projective_dynamics, .numbers = 30, .keeps = Keeps::ScalarFactors, .iterates = true},
-        {.make = make_dormand_prince, .displacement = 0.5, .tolerance = 1e-6, .numbers = 57},
+        {.make = make<Bdf2>, .tolerance = 1e-4, .numbers = 33, .keeps = Keeps::NewtonSystem},
+        {.make = make<Xpbd>, .numbers = 15, .iterates = true},
+        {.make = make<ProjectiveDynamics>, .numbers = 30, .keeps = Keeps::ScalarFactors, .iterates = true},
+        {.make = make<DormandPrince>, .displacement = 0.5, .tolerance = 1e-6, .numbers = 57},
     }};
     static_assert(rows.size() == enum_names<IntegratorKind>.size(), "every kind has its row");
     static_assert(rows.back().make != nullptr, "and no row is left empty");

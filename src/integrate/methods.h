@@ -25,20 +25,4 @@ struct MethodRow {
 /// @par Cost constant
 const MethodRow& method_of(IntegratorKind kind);
 
-double longest_step_of_explicit_euler(double k, double d);
-double longest_step_of_symplectic_euler(double k, double d);
-double longest_step_of_velocity_verlet(double k, double d);
-double longest_step_of_rk4(double k, double d);
-
-/// Each is made with scratch arrays for a grid; where a function makes two kinds, the parameters say which.
-
-std::unique_ptr<Integrator> make_euler(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_velocity_verlet(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_rk4(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_theta_method(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_bdf2(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_xpbd(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_projective_dynamics(const IntegratorParameters& parameters, const Grid& grid);
-std::unique_ptr<Integrator> make_dormand_prince(const IntegratorParameters& parameters, const Grid& grid);
-
 }  // namespace drape

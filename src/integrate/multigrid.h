@@ -1,11 +1,11 @@
 #pragma once
 
 #include <Eigen/Cholesky>
-#include <array>
+#include <algorithm>
 #include <vector>
 
 #include "drape/model/jacobian.h"
-#include "kernels/stencil_kernels.h"
+#include "multigrid_level.h"
 
 namespace drape {
 
@@ -18,76 +18,130 @@ namespace drape {
 class Multigrid {
 public:
     /// Makes room for the levels; nothing later allocates.
-    Multigrid(const Grid& grid, Kernels kernels);
+    Multigrid(const Grid& grid, Kernels kernels)
+        : own_(grid.particles(), Level::entries), terms_(grid.particles(), Level::entries) {
+        pinned_.reserve(static_cast<std::size_t>(grid.particles()));
+        levels_.emplace_back(grid, grid, kernels);
+        const auto halved = [](int n) { return n > 2 ? n / 2 + 1 : n; };
+        do {
+            const Grid finer = levels_.back().grid;
+            levels_.emplace_back(finer, Grid{halved(finer.nx), halved(finer.ny)}, kernels);
+        } while (levels_.back().grid.particles() > few_nodes);
+        for (std::size_t k = 0; k < levels_.size(); ++k) levels_[k].plan(k < 2);
+        const int unknowns = 3 * levels_.back().grid.particles();
+        dense_.setIdentity(unknowns, unknowns);
+        factors_.compute(dense_);
+        unknowns_.resize(unknowns);
+    }
 
     /// Takes the matrix. Nothing is kept of the one before.
     /// @param jacobian clamped
     /// @par Cost O(n)
-    void build(const ClothModel& model, const Jacobian& jacobian, Real k_scale, Real d_scale);
+    void build(const ClothModel& model, const Jacobian& jacobian, Real k_scale, Real d_scale) {
+        const Grid& grid = model.grid;
+        pinned_.clear();
+        for (int p = 0; p < grid.particles(); ++p) {
+            if (model.pinned(p)) pinned_.push_back(p);
+        }
+        for (Level& level : levels_) std::ranges::fill(level.stencils, 0.0F);
+        const auto add = [&](std::size_t kind, const Level::Blocks& terms) {
+            levels_[0].add(kind, terms);
+            levels_[1].add(kind, terms);
+        };
+        own_.setZero();
+        const Jacobian::Block inertia = (model.particle_mass + d_scale * jacobian.drag()) * Jacobian::Block::Identity();
+        for (int p = 0; p < grid.particles(); ++p) {
+            if (!model.pinned(p)) add_block(own_, p, inertia);
+        }
+        for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
+            terms_.setZero();
+            jacobian.for_each_spring(direction, k_scale, d_scale, [&](int a, int b, const Jacobian::Block& block) {
+                if (model.pinned(a) && model.pinned(b)) return;
+                if (model.pinned(a)) return add_block(own_, b, block);
+                if (model.pinned(b)) return add_block(own_, a, block);
+                add_block(terms_, a, block);
+            });
+            add(Level::first_direction + direction, terms_);
+        }
+        // What wind adds damps alone: its blocks on the diagonal will do here
+        jacobian.for_each_wind_block(d_scale, [&](int a, int b, const Jacobian::Block& block) {
+            if (a == b && !model.pinned(a)) add_block(own_, a, block);
+        });
+        add(Level::own, own_);
+        for (std::size_t k = 0; k < levels_.size(); ++k) {
+            if (k > 1) levels_[k].add_matrix_of(levels_[k - 1], terms_);
+            levels_[k].invert_diagonal();
+            // On the finest level, a spring's two blocks are at most twice its diagonal ones
+            if (k > 0) levels_[k].find_bound();
+        }
+        factor_coarsest();
+    }
 
     /// z = about A^-1 r, zero at pinned particles.
     /// @pre `build` was called
     /// @par Cost O(n), that of about six products
-    void cycle(const Points& r, Points& z);
+    void cycle(const Points& r, Points& z) {
+        levels_.front().b = r.array().cast<float>();
+        solve(0);
+        z = levels_.front().x.cast<Real>().matrix();
+    }
 
 private:
-    static constexpr int blocks = kernels::StencilLayout::blocks, entries = kernels::StencilLayout::entries;
-    using Vectors = Eigen::Array<float, Eigen::Dynamic, 3>;
-    using Blocks = Eigen::Array<float, Eigen::Dynamic, entries>;  ///< xx, xy, xz, yy, yz, zz of each
+    using Level = MultigridLevel;
 
-    /// What of a coarse matrix a term of the finer one is added to: a block of a node, and how much of the term.
-    struct Part {
-        int node;  ///< from the coarse node at or before the term's first one
-        int block;
-        float weight;
-    };
+    /// Levels end at so few nodes, which are factored.
+    static constexpr int few_nodes = 36;
 
-    /// Terms that join a node with another: where they are added, for even and odd columns and rows.
-    struct Kind {
-        int di, dj;  ///< from the first to the other
-        std::array<std::vector<Part>, 4> parts;
-    };
+    void factor_coarsest() {
+        const Level& level = levels_.back();
+        dense_.setZero();
+        for (int p = 0; p < level.grid.particles(); ++p) {
+            const int i = p % level.grid.nx, j = p / level.grid.nx;
+            for (int k = 0; k < Level::blocks; ++k) {
+                const auto [di, dj] = Level::offsets[static_cast<std::size_t>(k)];
+                if (i + di < 0 || i + di >= level.grid.nx || j + dj >= level.grid.ny) continue;
+                const int q = level.grid.particle(i + di, j + dj);
+                const auto [xx, xy, xz, yy, yz, zz] = level.block(p, k);
+                Eigen::Matrix3d block;
+                block << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+                dense_.block<3, 3>(3 * p, 3 * q) = block;
+                dense_.block<3, 3>(3 * q, 3 * p) = block;
+            }
+            const auto [xx, xy, xz, yy, yz, zz] = level.block(p, 0);
+            if (xx + yy + zz == 0) dense_.block<3, 3>(3 * p, 3 * p).setIdentity();
+        }
+        factors_.compute(dense_);
+        if (factors_.info() == Eigen::Success) return;
+        dense_.diagonal() *= 2;
+        factors_.compute(dense_);
+    }
 
-    /// The finest level, or one of every second column and row of a finer one, where that has more than two.
-    struct Level {
-        Grid finer, grid;
-        std::vector<float> stencils;
-        std::array<int, blocks> shifts{};  ///< from a node to the others of its stencil
-        Blocks inverse;                    ///< of the diagonal blocks; zero where nothing moves
-        double bound = 2;                  ///< of the spectrum of D^-1 A
-        Vectors x, b, residual, step, divided;
-        Vectors rows;  ///< scratch, of the finer level's rows
-        Blocks line;   ///< scratch, of every one or every second term in a row
-        std::vector<Kind> kinds;
-
-        Kernels kernels;  ///< plain: products in plain code, with the same bits
-
-        Level(const Grid& finer, const Grid& own, Kernels kernels_of_products);
-        [[nodiscard]] bool is_finest() const { return grid == finer; }
-        [[nodiscard]] bool halves_columns() const { return grid.nx != finer.nx; }
-        [[nodiscard]] bool halves_rows() const { return grid.ny != finer.ny; }
-        void plan(bool of_springs);
-        void add(std::size_t kind, const Blocks& terms);
-        void add_line(const Part& part, int node, int count);
-        void add_matrix_of(const Level& before, Blocks& scratch);
-        [[nodiscard]] std::array<float, entries> block(int node, int number) const;
-        void invert_diagonal();
-        void multiply_plainly(const Vectors& u, Vectors& y) const;
-        void find_bound();
-        void product(const Vectors& u, Vectors& y) const;
-        void divide(const Vectors& r, Vectors& z) const;
-        void smooth();
-        void find_residual();
-        void restrict_from(const Vectors& fine);
-        void add_correction(Vectors& fine);
-    };
-
-    void solve(std::size_t number);
-    void factor_coarsest();
+    /// x = about A^-1 b on a level.
+    void solve(std::size_t number) {
+        Level& level = levels_[number];
+        if (number + 1 == levels_.size()) {
+            unknowns_ = level.b.matrix().cast<double>().reshaped<Eigen::RowMajor>();
+            factors_.solveInPlace(unknowns_);
+            level.x = unknowns_.reshaped<Eigen::RowMajor>(level.x.rows(), 3).cast<float>().array();
+            return;
+        }
+        level.x.setZero();
+        level.residual = level.b;
+        level.smooth();
+        level.find_residual();
+        levels_[number + 1].restrict_from(level.residual);
+        solve(number + 1);
+        levels_[number + 1].add_correction(level.x);
+        if (number == 0) {
+            for (const int p : pinned_) level.x.row(p).setZero();
+        }
+        level.find_residual();
+        level.smooth();
+    }
 
     std::vector<int> pinned_;
     std::vector<Level> levels_;
-    Blocks own_, terms_;  ///< scratch: of the particles alone, of one kind
+    Level::Blocks own_, terms_;  ///< scratch: of the particles alone, of one kind
     Eigen::MatrixXd dense_;
     Eigen::LLT<Eigen::MatrixXd> factors_;  ///< of the coarsest level
     Eigen::VectorXd unknowns_;

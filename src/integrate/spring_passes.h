@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
-
+#include "drape/base/assert.h"
 #include "drape/base/kernels.h"
 #include "drape/model/stencils.h"
+#include "inertial_guess.h"
+#include "kernels/spring_pass_kernels.h"
 
 namespace drape {
 
@@ -21,23 +22,65 @@ namespace drape {
 /// @cite macklin2016
 class SpringPasses {
 public:
-    SpringPasses(const Grid& grid, Kernels kernels);
+    SpringPasses(const Grid& grid, Kernels kernels)
+        : grid_(grid), kernels_(kernels), weights_(grid.particles()), multipliers_(grid.particles(), 6) {}
 
     /// Starts a step of length h: forgets the multipliers.
     /// @param inertia of each particle, n x 1 [kg]
-    void begin(const ClothModel& model, const Eigen::Array<Real, Eigen::Dynamic, 1>& inertia, Real h);
+    void begin(const ClothModel& model, const Numbers& inertia, Real h) {
+        h_ = h;
+        weights_ = model.inverse_mass * (model.particle_mass / inertia);
+        multipliers_.setZero();
+    }
 
     /// One pass over the springs given.
     /// @param start n x 3 positions at the start of the step [m]
     /// @param x n x 3 [m], corrected
     /// @par Cost O(n), allocates nothing
-    void pass(const std::array<SpringStencil, 6>& springs, const Points& start, Points& x);
+    void pass(const std::array<SpringStencil, 6>& springs, const Points& start, Points& x) {
+        DRAPE_ASSERT(start.rows() == grid_.particles() && x.rows() == grid_.particles());
+        for (std::size_t direction = 0; direction < springs.size(); ++direction) {
+            if (springs[direction].law == SpringLaw{}) continue;
+            Real* const q = multipliers_.col(static_cast<Eigen::Index>(direction)).data();
+            const StepSprings step{springs[direction], h_, weights_.data(), q};
+            (kernels_ == Kernels::Plain ? correct_springs : kernels::correct_springs)(step, grid_, start, x);
+        }
+    }
 
 private:
+    /// Corrects the spring of ends a and b, by the formula above.
+    static void correct_spring(const StepSprings& step, int a, int b, const Points& start, Points& x) {
+        const Real hhk = step.h * step.h * step.springs.law.stiffness, hc = step.h * step.springs.law.damping;
+        const Real w_a = step.weights[a], w_b = step.weights[b];
+        const Vec3 d = x.row(a) - x.row(b), d_start = start.row(a) - start.row(b);
+        const Real length = d.norm();
+        if (length == 0) return;
+        const Vec3 n = d / length;
+        Real& q = step.multipliers[a];
+        const Real c = length - step.springs.rest_length, dc = n.dot(d - d_start);
+        const Real dq = -(hhk * c + hc * dc + q) / ((hhk + hc) * (w_a + w_b) + 1);
+        q += dq;
+        x.row(a) += w_a * dq * n.transpose();
+        x.row(b) -= w_b * dq * n.transpose();
+    }
+
+    /// In the order of the kernel, which is that of Gauss-Seidel: it matters.
+    static void correct_springs(const StepSprings& step, const Grid& grid, const Points& start, Points& x) {
+        const SpringStencil& springs = step.springs;
+        for (int j = 0; j < springs.rows(grid); ++j) {
+            for (int first = 0; first < step.stride(); ++first) {
+                for (int i = first; i < springs.count(grid); i += step.stride()) {
+                    const int a = grid.particle(springs.first_column() + i, j);
+                    correct_spring(step, a, a + springs.offset(grid), start, x);
+                }
+            }
+        }
+    }
+
     Grid grid_;
     Kernels kernels_;
     Real h_ = 0;
-    Eigen::Array<Real, Eigen::Dynamic, 1> weights_;      ///< n x 1: 1 / inertia, and 0 for a pinned particle
+    Numbers weights_;                                    ///< n x 1: 1 / inertia, and 0 for a pinned particle
     Eigen::Array<Real, Eigen::Dynamic, 6> multipliers_;  ///< q of each direction's springs, at their first ends
 };
 

@@ -104,10 +104,9 @@ Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels k
 
 LimitingMode mode_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
     ModeSearch search(model, state, kernels);
-    LeastLimit limit = least_limit(
-        search, static_cast<double>(model.drag / model.particle_mass),
-        [kind](double k, double d) { return longest(kind, k, d); },
-        [kind](const Mode& mode) { return decides(kind, mode); });
+    LimitSearch limits(search, static_cast<double>(model.drag / model.particle_mass),
+                       [kind](double k, double d) { return longest(kind, k, d); });
+    LeastLimit limit = limits.find([kind](const Mode& mode) { return decides(kind, mode); });
     const double omega = std::sqrt(limit.stiffness), zeta = omega > 0 ? limit.damping / (2 * omega) : 0;
     return {{static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), !limit.attained},
             std::move(limit.shape)};

@@ -1,38 +1,13 @@
+#pragma once
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "drape/integrate/integrator.h"
 #include "drape/model/force_sweep.h"
-#include "methods.h"
 
 namespace drape {
-namespace {
-
-constexpr int stages = 7;
-
-/// The Butcher tableau. Row i: the weights of the derivatives 0..i-1 in the point at which derivative i is taken. The
-/// last row is the method of order 5 itself, so that its derivative serves as the first of the next step.
-constexpr double tableau[stages][stages - 1] = {{},
-                                                {1. / 5},
-                                                {3. / 40, 9. / 40},
-                                                {44. / 45, -56. / 15, 32. / 9},
-                                                {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
-                                                {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
-                                                {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
-
-/// The method of order 5 less that of order 4.
-constexpr double difference[stages] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
-
-/// The fifth root of a positive number, by Newton's method from the fourth root. Square roots have the same bits on
-/// every processor, std::pow has not.
-Real fifth_root(Real a) {
-    Real root = std::sqrt(std::sqrt(a));
-    for (int iteration = 0; iteration < 5; ++iteration) {
-        const Real square = root * root;
-        root = (4 * root + a / (square * square)) / 5;
-    }
-    return root;
-}
 
 /// Runge-Kutta of order 5 with inner steps as short as an error estimate of order 4 asks for. The estimate is the
 /// largest error of an x and h times that of a v, with h the whole step, and may be `tolerance` times the cloth's
@@ -80,6 +55,34 @@ public:
     }
 
 private:
+    static constexpr int stages = 7;
+
+    /// The Butcher tableau. Row i: the weights of the derivatives 0..i-1 in the point at which derivative i is taken.
+    /// The last row is the method of order 5 itself, so that its derivative serves as the first of the next step.
+    static constexpr double tableau[stages][stages - 1] = {
+        {},
+        {1. / 5},
+        {3. / 40, 9. / 40},
+        {44. / 45, -56. / 15, 32. / 9},
+        {19372. / 6561, -25360. / 2187, 64448. / 6561, -212. / 729},
+        {9017. / 3168, -355. / 33, 46732. / 5247, 49. / 176, -5103. / 18656},
+        {35. / 384, 0, 500. / 1113, 125. / 192, -2187. / 6784, 11. / 84}};
+
+    /// The method of order 5 less that of order 4.
+    static constexpr double difference[stages] = {71. / 57600,      0,         -71. / 16695, 71. / 1920,
+                                                  -17253. / 339200, 22. / 525, -1. / 40};
+
+    /// The fifth root of a positive number, by Newton's method from the fourth root. Square roots have the same bits on
+    /// every processor, std::pow has not.
+    static Real fifth_root(Real a) {
+        Real root = std::sqrt(std::sqrt(a));
+        for (int iteration = 0; iteration < 5; ++iteration) {
+            const Real square = root * root;
+            root = (4 * root + a / (square * square)) / 5;
+        }
+        return root;
+    }
+
     /// The inner step that was tried becomes the state; its last derivative is the first of the next.
     void take(ClothState& state, Real error, SolveReport& report) {
         state.x.swap(x_);
@@ -140,11 +143,5 @@ private:
     Derivative error_;
     Points x_, v_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_dormand_prince(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<DormandPrince>(parameters, grid);
-}
 
 }  // namespace drape

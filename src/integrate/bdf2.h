@@ -1,9 +1,8 @@
-#include "drape/model/force_sweep.h"
-#include "methods.h"
+#pragma once
+
 #include "newton_system.h"
 
 namespace drape {
-namespace {
 
 /// One Newton step, or more (`newton_steps`), of the backward differentiation formula of order 2: with s = 2h/3,
 /// x_{n+1} = x_n + (x_n - x_{n-1})/3 + s v_{n+1} and v_{n+1} = v_n + (v_n - v_{n-1})/3 + s a_{n+1} give
@@ -18,8 +17,6 @@ public:
     Bdf2(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels),
           system_(grid, parameters),
-          last_{.from = {Points(grid.particles(), 3), Points(grid.particles(), 3)},
-                .to = {Points(grid.particles(), 3), Points(grid.particles(), 3)}},
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3),
@@ -80,11 +77,5 @@ private:
     StepBefore last_;
     Points dx_, r_, dv_, known_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_bdf2(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<Bdf2>(parameters, grid);
-}
 
 }  // namespace drape

@@ -1,18 +1,14 @@
+#pragma once
+
 #include <algorithm>
 
-#include "drape/model/force_sweep.h"
+#include "drape/integrate/integrator.h"
 #include "global_matrix.h"
 #include "inertial_guess.h"
 #include "krylov.h"
-#include "methods.h"
 #include "spring_passes.h"
 
 namespace drape {
-namespace {
-
-/// Of the external forces, or of those that accelerate the cloth, what may be left unbalanced: in sheets that swing or
-/// hang in the wind, a tenth has come to errors of up to a hundredth.
-constexpr Real allowed_imbalance = Real(0.05);
 
 /// Projective dynamics: minimises M/(2 h^2) |x - y|^2 + the springs' energy over x, with y the inertial guess and M the
 /// particles' inertia. The local half of a round finds for each spring the vector of its rest length nearest to it, the
@@ -66,6 +62,10 @@ public:
     }
 
 private:
+    /// Of the external forces, or of those that accelerate the cloth, what may be left unbalanced: in sheets that swing
+    /// or hang in the wind, a tenth has come to errors of up to a hundredth.
+    static constexpr Real allowed_imbalance = Real(0.05);
+
     static void clear_pinned(const ClothModel& model, Points& points) {
         for (int axis = 0; axis < 3; ++axis) {
             points.col(axis) = (model.inverse_mass > 0).select(points.col(axis).array(), Real(0));
@@ -115,11 +115,5 @@ private:
     Numbers inertia_;
     Points start_, guess_, moved_, r_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_projective_dynamics(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<ProjectiveDynamics>(parameters, grid);
-}
 
 }  // namespace drape

@@ -1,9 +1,8 @@
-#include "drape/model/force_sweep.h"
-#include "methods.h"
+#pragma once
+
 #include "newton_system.h"
 
 namespace drape {
-namespace {
 
 /// One Newton step, or more (`newton_steps`), of x_{n+1} = x_n + h v_m, v_{n+1} = v_n + h a(x_m, v_m), with m at the
 /// part theta of the way from n to n+1: with s = theta h and f at x + s v, (m I + s D + s^2 K) dv = h f;
@@ -43,11 +42,5 @@ private:
     NewtonSystem system_;
     Points dx_, r_, dv_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_theta_method(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<ThetaMethod>(parameters, grid);
-}
 
 }  // namespace drape

@@ -1,23 +1,23 @@
+#pragma once
+
 #include <cmath>
 #include <complex>
 
-#include "methods.h"
-
 namespace drape {
 
-double longest_step_of_explicit_euler(double k, double d) {
+inline double longest_step_of_explicit_euler(double k, double d) {
     return d * d <= 4 * k ? d / k : 4 / (d + std::sqrt(d * d - 4 * k));
 }
 
-double longest_step_of_symplectic_euler(double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); }
+inline double longest_step_of_symplectic_euler(double k, double d) { return 4 / (d + std::sqrt(d * d + 4 * k)); }
 
 /// A factor of -1 at h^2 k + 2 h d - h^2 d^2 = 4, or one of 1 at h d = 2.
-double longest_step_of_velocity_verlet(double k, double d) {
+inline double longest_step_of_velocity_verlet(double k, double d) {
     return k >= d * d ? 4 / (d + std::sqrt(4 * k - 3 * d * d)) : 2 / d;
 }
 
 /// Where |R(h lambda)| reaches 1, for the faster root lambda of lambda^2 + d lambda + k = 0.
-double longest_step_of_rk4(double k, double d) {
+inline double longest_step_of_rk4(double k, double d) {
     using Complex = std::complex<double>;
     constexpr double rounding = 1e-12;
     const double root = d * d - 4 * k;

@@ -1,8 +1,9 @@
+#pragma once
+
+#include "drape/integrate/integrator.h"
 #include "drape/model/force_sweep.h"
-#include "methods.h"
 
 namespace drape {
-namespace {
 
 /// Symplectic Euler: v += h a(x_n, v_n); x += h v. First order, symplectic without damping.
 /// Explicit Euler does the same in the other order: it gains energy without enough damping.
@@ -91,19 +92,5 @@ private:
     ForceSweep forces_;
     Points x_, v_, x_sum_, v_sum_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_euler(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<Euler>(parameters, grid);
-}
-
-std::unique_ptr<Integrator> make_velocity_verlet(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<VelocityVerlet>(parameters, grid);
-}
-
-std::unique_ptr<Integrator> make_rk4(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<Rk4>(parameters, grid);
-}
 
 }  // namespace drape

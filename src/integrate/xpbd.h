@@ -1,9 +1,10 @@
+#pragma once
+
+#include "drape/integrate/integrator.h"
 #include "inertial_guess.h"
-#include "methods.h"
 #include "spring_passes.h"
 
 namespace drape {
-namespace {
 
 /// Extended position-based dynamics: a guess without the springs, corrected by Gauss-Seidel passes over them, each a
 /// constraint of compliance 1/k with its own damping. Many short steps of one pass serve better than one of many. The
@@ -36,11 +37,5 @@ private:
     Numbers inertia_;
     Points start_;
 };
-
-}  // namespace
-
-std::unique_ptr<Integrator> make_xpbd(const IntegratorParameters& parameters, const Grid& grid) {
-    return std::make_unique<Xpbd>(parameters, grid);
-}
 
 }  // namespace drape
