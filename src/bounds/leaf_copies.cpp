@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "kernels/patch_kernels.h"
 
@@ -27,7 +26,7 @@ Patch patch_at(const Points& x, int columns, int rows) {
 Real displacement_of(const Patch& now, const Patch& before, Kernels kernels) {
     const Real square =
         kernels == Kernels::Plain ? largest_square(now, before) : kernels::largest_displacement_square(now, before);
-    return std::sqrt(square) * (1 + 8 * std::numeric_limits<Real>::epsilon());
+    return std::sqrt(square) * rounded_up;
 }
 
 }  // namespace
@@ -37,14 +36,8 @@ Real largest_displacement(const Points& x, const Points& before, Kernels kernels
     return displacement_of(patch_at(x, n, 1), patch_at(before, n, 1), kernels);
 }
 
-void LeafCopies::take_all(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x) {
-    copies_.resize(nodes.size());
-    for (std::size_t n = 0; n < nodes.size(); ++n) {
-        if (nodes[n].children == 0) take(n, patch_of(grid, nodes[n], x));
-    }
-}
-
 void LeafCopies::take(std::size_t leaf, const Patch& patch) {
+    if (leaf >= copies_.size()) copies_.resize(leaf + 1);
     copies_[leaf].resize(patch.particles(), 3);
     Real* to = copies_[leaf].data();
     for (const Real* from : {patch.x, patch.y, patch.z}) {

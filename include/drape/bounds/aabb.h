@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "drape/base/assert.h"
 #include "drape/bounds/bounding_sphere.h"
@@ -52,14 +51,14 @@ struct Aabb {
             const Real beyond = std::max(Real(0), std::max(below, above));
             square += beyond * beyond;
         }
-        const Real radius = ball.radius * (1 + 8 * std::numeric_limits<Real>::epsilon());
+        const Real radius = ball.radius * rounded_up;
         return square <= radius * radius;
     }
 
     /// By the gaps along the axes.
     [[nodiscard]] bool comes_within(const Aabb& other, Real margin) const {
         const Vec3 gap = (low - other.high).cwiseMax(other.low - high).cwiseMax(Real(0));
-        const Real bound = margin * (1 + 8 * std::numeric_limits<Real>::epsilon());
+        const Real bound = margin * rounded_up;
         return gap.squaredNorm() <= bound * bound;
     }
 
@@ -72,8 +71,7 @@ struct Aabb {
     /// About the middle, through the farthest corner.
     [[nodiscard]] BoundingSphere sphere() const {
         const Vec3 middle = (low + high) / 2;
-        const Real radius = (high - middle).cwiseMax(middle - low).norm();
-        return {middle, radius * (1 + 8 * std::numeric_limits<Real>::epsilon())};
+        return {middle, (high - middle).cwiseMax(middle - low).norm() * rounded_up};
     }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -32,6 +33,9 @@ void for_each_particle(const Patch& patch, Visit visit) {
         for (int i = 0; i < patch.columns; ++i) visit(patch.at(i, j));
     }
 }
+
+/// Makes up for the rounding of a distance and of its use.
+constexpr Real rounded_up = 1 + 8 * std::numeric_limits<Real>::epsilon();
 
 struct BoundingSphere;
 

@@ -134,6 +134,7 @@ public:
             const Real rounding = 64 * std::numeric_limits<Real>::epsilon() * size;
             return distance(sphere.centre) > sphere.radius + margin + slack_ + rounding;
         };
+        const auto leave_unmarked = [](int /*n*/, NodeVisit /*visit*/) {};  // the marks are those of balls
         traverse(0, is_apart, leave_unmarked, found, stats);
         return stats;
     }
@@ -232,9 +233,6 @@ private:
     /// With several balls the most counts that any query did with a node.
     void mark(int n, NodeVisit visit) { visits_[at(n)] = std::max(visits_[at(n)], visit); }
 
-    /// The marks are those of balls.
-    static void leave_unmarked(int /*n*/, NodeVisit /*visit*/) {}
-
     /// Top-down: every node is fitted to all of its own particles. @cite dissertation
     /// @par Cost O(particles * levels)
     void rebuild(const Points& x) { fits_.tree ? fits_.tree(grid_, nodes_, x, volumes_) : rebuild_from(0, x); }
@@ -290,11 +288,11 @@ private:
     /// and until then the slack makes up for it.
     void start_refitting(const Points& x) {
         merge(x);
-        copies_.take_all(grid_, nodes_, x);
         stale_.assign(nodes_.size(), false);
         Real radii = 0, leaves = 0;
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             if (nodes_[n].children > 0) continue;
+            copies_.take(n, patch_of(grid_, nodes_[n], x));
             radii += volumes_[n].sphere().radius;
             leaves += 1;
         }

@@ -89,11 +89,10 @@ struct KDop {
     /// By the distance of the ball's centre from the box and from each of the other slabs.
     [[nodiscard]] bool overlaps(const Ball& ball) const {
         if (!box.overlaps(ball)) return false;
-        constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-        const Real rounding = 2 * epsilon * ball.centre.cwiseAbs().sum();
+        const Real rounding = 2 * std::numeric_limits<Real>::epsilon() * ball.centre.cwiseAbs().sum();
         for (std::size_t k = 0; k < cuts; ++k) {
             const int number = dop_numbers<K>[k + 3];
-            const Real radius = ball.radius * (dop_length(number) * (1 + 8 * epsilon)) + rounding;
+            const Real radius = ball.radius * (dop_length(number) * rounded_up) + rounding;
             const Real centre = dop_projection(number, ball.centre);
             if (low[k] - centre > radius || centre - high[k] > radius) return false;
         }
@@ -104,8 +103,7 @@ struct KDop {
     [[nodiscard]] bool comes_within(const KDop& other, Real margin) const {
         if (!box.comes_within(other.box, margin)) return false;
         for (std::size_t k = 0; k < cuts; ++k) {
-            const Real bound =
-                margin * dop_length(dop_numbers<K>[k + 3]) * (1 + 8 * std::numeric_limits<Real>::epsilon());
+            const Real bound = margin * dop_length(dop_numbers<K>[k + 3]) * rounded_up;
             if (std::max(low[k] - other.high[k], other.low[k] - high[k]) > bound) return false;
         }
         return true;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "drape/base/kernels.h"
-#include "drape/bounds/quadtree_nodes.h"
+#include "drape/bounds/bounding_volume.h"
 
 namespace drape {
 
@@ -16,9 +15,7 @@ Real largest_displacement(const Points& x, const Points& before, Kernels kernels
 /// and may be fitted at different times: each has its own copy.
 class LeafCopies {
 public:
-    void take_all(const Grid& grid, std::span<const QuadtreeNode> nodes, const Points& x);
-
-    /// @param leaf number of the node, as in `take_all`
+    /// @param leaf number of the node
     /// @param patch its particles now
     void take(std::size_t leaf, const Patch& patch);
 
