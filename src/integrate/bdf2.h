@@ -15,8 +15,7 @@ namespace drape {
 class Bdf2 final : public Integrator {
 public:
     Bdf2(const IntegratorParameters& parameters, const Grid& grid)
-        : forces_(grid, parameters.kernels),
-          system_(grid, parameters),
+        : system_(grid, parameters),
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3),
@@ -38,7 +37,7 @@ public:
         } else {
             dx_ = s * state.v;
         }
-        const int evaluations = system_.linearise_ahead(forces_, model, state, dx_, s, r_);
+        const int evaluations = system_.linearise_ahead(model, state, dx_, s, r_);
         r_ *= s;
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);
         SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
@@ -56,7 +55,7 @@ private:
         dv_ -= known_;
         r_ = state.x + dx_ + s * known_;
         known_ += state.v;
-        const SolveReport report = system_.refine(forces_, model, r_, known_, s, 1, dv_);
+        const SolveReport report = system_.refine(model, r_, known_, s, 1, dv_);
         dv_ += known_ - state.v;
         return report;
     }
@@ -72,7 +71,6 @@ private:
         last_.to = state;
     }
 
-    ForceSweep forces_;
     NewtonSystem system_;
     StepBefore last_;
     Points dx_, r_, dv_, known_;

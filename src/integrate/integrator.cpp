@@ -5,7 +5,6 @@
 #include "bdf2.h"
 #include "dormand_prince.h"
 #include "explicit_methods.h"
-#include "methods.h"
 #include "projective_dynamics.h"
 #include "step_limits.h"
 #include "theta_method.h"
@@ -60,9 +59,5 @@ Real tolerance_of(const IntegratorParameters& parameters) {
 }
 
 Real displacement_factor(IntegratorKind kind) { return static_cast<Real>(method_of(kind).displacement); }
-
-bool has_iterations(IntegratorKind kind) { return method_of(kind).iterates; }
-
-bool solves_a_system(IntegratorKind kind) { return method_of(kind).keeps == Keeps::NewtonSystem; }
 
 }  // namespace drape

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <bit>
 
-#include "methods.h"
 #include "newton_system.h"
 
 namespace drape {

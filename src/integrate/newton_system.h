@@ -32,6 +32,7 @@ public:
         : tolerance_(tolerance_of(parameters)),
           newton_steps_(parameters.newton_steps),
           max_momentum_change_(parameters.kind == IntegratorKind::ImplicitMidpoint ? 2 : 8),
+          forces_(grid, parameters.kernels),
           jacobian_(grid, parameters.hessian, parameters.kernels),
           inverse_(grid.particles(), 6),
           x_(grid.particles(), 3),
@@ -67,20 +68,19 @@ public:
     /// @param s as in `solve`
     /// @param f n x 3 [N], overwritten; zero at pinned particles
     /// @return how often forces were evaluated
-    int linearise_ahead(ForceSweep& forces, const ClothModel& model, const ClothState& state, const Points& dx, Real s,
-                        Points& f) {
+    int linearise_ahead(const ClothModel& model, const ClothState& state, const Points& dx, Real s, Points& f) {
         pinned_.clear();
         for (int p = 0; p < model.grid.particles(); ++p) {
             if (model.pinned(p)) pinned_.push_back(p);
         }
         x_ = state.x + dx;
-        forces.compute(model, x_, state.v, f);
+        forces_.compute(model, x_, state.v, f);
         clear_pinned(f);
         if (s * spread(model, f) <= max_momentum_change_ * model.particle_mass * spread(model, state.v)) {
             jacobian_.linearise(model, x_, state.v);
             return 1;
         }
-        forces.compute(model, state.x, state.v, f);
+        forces_.compute(model, state.x, state.v, f);
         jacobian_.linearise(model, state.x, state.v);
         jacobian_.add_product(-1, 0, dx, f);
         clear_pinned(f);
@@ -134,13 +134,12 @@ public:
     /// @param theta the part of dv that counts there; s as in `solve`
     /// @param dv n x 3 [m/s], that the first step has found
     /// @cite nocedal2006
-    SolveReport refine(ForceSweep& forces, const ClothModel& model, const Points& x, const Points& v, Real s,
-                       Real theta, Points& dv) {
+    SolveReport refine(const ClothModel& model, const Points& x, const Points& v, Real s, Real theta, Points& dv) {
         SolveReport all;
         const auto left_at = [&](const Points& at) {
             x_ = x + (s * theta) * at;
             v_ = v + theta * at;
-            forces.compute(model, x_, v_, left_);
+            forces_.compute(model, x_, v_, left_);
             ++all.force_evaluations;
             left_ = (s / theta) * left_ - model.particle_mass * at;
             clear_pinned(left_);
@@ -253,6 +252,7 @@ private:
     /// Beyond some of this, stiff sheets gain energy in long steps. Midpoint damps nothing, not even what a bad
     /// beginning leaves.
     Real max_momentum_change_;
+    ForceSweep forces_;
     Jacobian jacobian_;
     std::unique_ptr<GridFactor> factor_;    ///< where it can be wanted
     std::unique_ptr<Multigrid> multigrid_;  ///< likewise

@@ -8,7 +8,6 @@
 
 #include "drape/model/forces.h"
 #include "least_limit.h"
-#include "methods.h"
 
 namespace drape {
 namespace {

@@ -15,7 +15,6 @@ class ThetaMethod final : public Integrator {
 public:
     ThetaMethod(const IntegratorParameters& parameters, const Grid& grid)
         : theta_(parameters.kind == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
-          forces_(grid, parameters.kernels),
           system_(grid, parameters),
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
@@ -24,12 +23,12 @@ public:
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real s = theta_ * h;
         dx_ = s * state.v;
-        const int evaluations = system_.linearise_ahead(forces_, model, state, dx_, s, r_);
+        const int evaluations = system_.linearise_ahead(model, state, dx_, s, r_);
         r_ *= h;
         SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
         if (system_.refines()) {
             r_ = state.x + dx_;
-            report += system_.refine(forces_, model, r_, state.v, s, theta_, dv_);
+            report += system_.refine(model, r_, state.v, s, theta_, dv_);
         }
         state.x += h * (state.v + theta_ * dv_);
         state.v += dv_;
@@ -38,7 +37,6 @@ public:
 
 private:
     Real theta_;
-    ForceSweep forces_;
     NewtonSystem system_;
     Points dx_, r_, dv_;
 };

@@ -33,10 +33,11 @@ std::string why_without_effect(const Setting& setting, const Settings& settings,
 
     const IntegratorKind integrator = settings.solver.integrator;
     const std::string with_integrator = "no effect with " + name_of(integrator);
-    const bool solves = solves_a_system(integrator), limited = has_step_limit(integrator);
+    const MethodRow& method = method_of(integrator);
+    const bool solves = method.keeps == Keeps::NewtonSystem, limited = has_step_limit(integrator);
     ignores(!solves, {"solver.hessian", "solver.newton_steps"}, with_integrator);
     ignores(!solves && integrator != IntegratorKind::DormandPrince, {"solver.tolerance"}, with_integrator);
-    ignores(!has_iterations(integrator), {"solver.iterations"}, with_integrator);
+    ignores(!method.iterates, {"solver.iterations"}, with_integrator);
     ignores(!limited && !settings.contact.self, {"solver.threads"}, with_integrator);
     ignores(limited, {"contact.longest_step"}, with_integrator);
 

@@ -113,15 +113,33 @@ public:
     virtual SolveReport step(const ClothModel& model, ClothState& state, Real h) = 0;
 };
 
+/// What a method keeps to solve with.
+enum class Keeps {
+    Nothing,
+    NewtonSystem,  ///< a linear system with the Jacobian of the forces: backward Euler, implicit midpoint, BDF2
+    ScalarFactors
+};
+
+/// The longest step of a method for a vibration x'' = -k x - d x', where k and d are not both 0 [s].
+/// @param k [1/s^2], d [1/s]
+using LongestStep = double (*)(double k, double d);
+
+/// All that has to be known of a kind of integrator: its row in the table of `method_of`.
+struct MethodRow {
+    std::unique_ptr<Integrator> (*make)(const IntegratorParameters& parameters, const Grid& grid);
+    LongestStep longest_step = nullptr;  ///< null where no step is too long
+    double displacement = 1;             ///< see `displacement_factor`
+    double tolerance = 0;                ///< see `tolerance_of`; of a linear solve, with the clamped Hessian
+    double numbers;                      ///< a particle, of the arrays that its class has: three for each of Points
+    Keeps keeps = Keeps::Nothing;
+    bool iterates = false;  ///< as many times as `IntegratorParameters::iterations` says
+};
+
+const MethodRow& method_of(IntegratorKind kind);
+
 /// By how much a constant force displaces a particle at rest within a step h, of h times the velocity that it gives:
 /// 1/2 where a step is exact for it, else 1. (Explicit Euler, which displaces it in the next step only, counts as 1.)
 Real displacement_factor(IntegratorKind kind);
-
-/// Whether a method makes as many iterations in a step as `IntegratorParameters::iterations` says.
-bool has_iterations(IntegratorKind kind);
-
-/// Whether a method solves a linear system with the Jacobian of the forces: backward Euler, implicit midpoint, BDF2.
-bool solves_a_system(IntegratorKind kind);
 
 /// @param grid of the cloths it will step; the scratch arrays are made here
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);

@@ -110,9 +110,6 @@ private:
         return result;
     }
 
-    static void linearise_plainly(const Grid& grid, const Points& x, const Points& v, Family& family);
-    void add_product_plainly(const Family& family, Real along, Real k_scale, const Points& u, Points& y) const;
-
     Grid grid_;
     Kernels kernels_;
     Real drag_ = 0;

@@ -86,7 +86,7 @@ std::optional<Settings> one_notch_less(const Settings& scene, Knob knob) {
             if (dt > clearly_longer) less.solver.dt = dt;
         }
     }
-    if (knob == Knob::Iterations && has_iterations(scene.solver.integrator) && scene.solver.iterations > 1) {
+    if (knob == Knob::Iterations && method_of(scene.solver.integrator).iterates && scene.solver.iterations > 1) {
         --less.solver.iterations;
     }
     if (cloth == scene.cloths[0] && less.solver == scene.solver) return std::nullopt;

@@ -35,7 +35,7 @@ std::string described(const Settings& settings) {
                                           cloth.bend != SpringLaw{} ? " bend" : "", cloth.drag > 0 ? " drag" : "");
     if (solver.integrator == IntegratorKind::DormandPrince) return model + ", computed closely";
     return fmt::format("{}, {} {} s{}", model, name_of(solver.integrator), real_text(solver.dt),
-                       has_iterations(solver.integrator) ? fmt::format(" x {}", solver.iterations) : "");
+                       method_of(solver.integrator).iterates ? fmt::format(" x {}", solver.iterations) : "");
 }
 
 /// How a configuration looks for contacts, after a comma; empty without a ball.

@@ -161,7 +161,7 @@ private:
     }
 
     [[nodiscard]] std::vector<int> passes(IntegratorKind kind) const {
-        if (!has_iterations(kind) || !free_.contains(Knob::Iterations)) return {needs_.scene().solver.iterations};
+        if (!method_of(kind).iterates || !free_.contains(Knob::Iterations)) return {needs_.scene().solver.iterations};
         return {1, 2, 5, 10};
     }
 
