@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "drape/integrate/integrator.h"
 #include "drape/model/force_sweep.h"
@@ -18,16 +19,18 @@ namespace drape {
 class DormandPrince final : public Integrator {
 public:
     DormandPrince(const IntegratorParameters& parameters, const Grid& grid)
-        : tolerance_(tolerance_of(parameters)), forces_(grid, parameters.kernels), x_(grid.particles(), 3), v_(x_) {
-        derivatives_.fill({x_, v_});
-        error_ = derivatives_.front();
+        : tolerance_(tolerance_of(parameters)),
+          forces_(grid, parameters.kernels),
+          tried_{Points(grid.particles(), 3), Points(grid.particles(), 3)} {
+        derivatives_.fill(tried_);
+        error_ = tried_;
     }
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real shortest = Real(1e-4) * h;
         const Real allowed = tolerance_ * std::min(model.hx, model.hy);
         SolveReport report;
-        differentiate(model, state.x, state.v, derivatives_.front());
+        differentiate(model, state, derivatives_.front());
         report.force_evaluations = 1;
         report.tolerance = tolerance_;
         Real inner = h, remaining = h;
@@ -85,21 +88,16 @@ private:
 
     /// The inner step that was tried becomes the state; its last derivative is the first of the next.
     void take(ClothState& state, Real error, SolveReport& report) {
-        state.x.swap(x_);
-        state.v.swap(v_);
+        std::swap(state, tried_);
         std::swap(derivatives_.front(), derivatives_.back());
         ++report.iterations;
         report += {.residual = error * tolerance_, .unconverged = error <= 1 ? 0 : 1};
     }
 
-    /// dx/dt and dv/dt.
-    struct Derivative {
-        Points v, a;
-    };
-
-    void differentiate(const ClothModel& model, const Points& x, const Points& v, Derivative& derivative) {
-        derivative.v = v;
-        forces_(model, x, v, [&](const ForceRun& run) { run.of(derivative.a) = run.accelerations(); });
+    /// dx/dt and dv/dt of a state.
+    void differentiate(const ClothModel& model, const ClothState& state, ClothState& derivative) {
+        derivative.x = state.v;
+        forces_(model, state.x, state.v, [&](const ForceRun& run) { run.of(derivative.v) = run.accelerations(); });
     }
 
     /// What the next inner step may be, of this one: its error grows with the fifth power. A little less than that, and
@@ -110,38 +108,36 @@ private:
         return std::clamp(caution / fifth_root(std::max(error, Real(1e-5))), least, most);
     }
 
-    /// (x_, v_) = one inner step of length s from the state, and all derivatives on the way.
+    /// tried_ = one inner step of length s from the state, and all derivatives on the way.
     void advance(const ClothModel& model, const ClothState& state, Real s) {
         for (std::size_t stage = 1; stage < stages; ++stage) {
-            x_ = state.x;
-            v_ = state.v;
+            tried_ = state;
             for (std::size_t k = 0; k < stage; ++k) {
                 const Real weight = s * static_cast<Real>(tableau[stage][k]);
-                x_ += weight * derivatives_[k].v;
-                v_ += weight * derivatives_[k].a;
+                tried_.x += weight * derivatives_[k].x;
+                tried_.v += weight * derivatives_[k].v;
             }
-            differentiate(model, x_, v_, derivatives_[stage]);
+            differentiate(model, tried_, derivatives_[stage]);
         }
     }
 
     /// The estimated error of an inner step of length s within the whole step h [m].
     Real estimate(Real s, Real h) {
+        error_.x.setZero();
         error_.v.setZero();
-        error_.a.setZero();
         for (std::size_t k = 0; k < stages; ++k) {
+            error_.x += static_cast<Real>(difference[k]) * derivatives_[k].x;
             error_.v += static_cast<Real>(difference[k]) * derivatives_[k].v;
-            error_.a += static_cast<Real>(difference[k]) * derivatives_[k].a;
         }
-        const Real of_x = error_.v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
-        const Real of_v = error_.a.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+        const Real of_x = error_.x.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+        const Real of_v = error_.v.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
         return s * (of_x + h * of_v);
     }
 
     Real tolerance_;
     ForceSweep forces_;
-    std::array<Derivative, stages> derivatives_;
-    Derivative error_;
-    Points x_, v_;
+    std::array<ClothState, stages> derivatives_;
+    ClothState error_, tried_;
 };
 
 }  // namespace drape

@@ -59,38 +59,35 @@ class Rk4 final : public Integrator {
 public:
     Rk4(const IntegratorParameters& parameters, const Grid& grid)
         : forces_(grid, parameters.kernels, parameters.threads),
-          x_(grid.particles(), 3),
-          v_(x_),
-          x_sum_(x_),
-          v_sum_(x_) {}
+          point_{Points(grid.particles(), 3), Points(grid.particles(), 3)},
+          sum_(point_) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
-        x_ = state.x;
-        v_ = state.v;
-        x_sum_.setZero();
-        v_sum_.setZero();
+        point_ = state;
+        sum_.x.setZero();
+        sum_.v.setZero();
         stage(model, state, 1, h / 2);
         stage(model, state, 2, h / 2);
         stage(model, state, 2, h);
         stage(model, state, 1, 0);
-        state.x += (h / 6) * x_sum_;
-        state.v += (h / 6) * v_sum_;
+        state.x += (h / 6) * sum_.x;
+        state.v += (h / 6) * sum_.v;
         return {.force_evaluations = 4};
     }
 
 private:
-    /// Adds k = y'(x_, v_) with its weight, and moves (x_, v_) to the start + `time` k.
+    /// Adds k = y' at the point with its weight, and moves the point to the start + `time` k.
     void stage(const ClothModel& model, const ClothState& start, Real weight, Real time) {
-        forces_(model, x_, v_, [&](const ForceRun& run) {
-            run.of(x_sum_) += weight * run.of(v_);
-            run.of(v_sum_) += weight * run.accelerations();
-            run.of(x_) = run.of(start.x) + time * run.of(v_);
-            run.of(v_) = run.of(start.v) + time * run.accelerations();
+        forces_(model, point_.x, point_.v, [&](const ForceRun& run) {
+            run.of(sum_.x) += weight * run.of(point_.v);
+            run.of(sum_.v) += weight * run.accelerations();
+            run.of(point_.x) = run.of(start.x) + time * run.of(point_.v);
+            run.of(point_.v) = run.of(start.v) + time * run.accelerations();
         });
     }
 
     ForceSweep forces_;
-    Points x_, v_, x_sum_, v_sum_;
+    ClothState point_, sum_;
 };
 
 }  // namespace drape

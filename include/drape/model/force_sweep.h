@@ -10,7 +10,7 @@
 namespace drape {
 
 namespace kernels {
-class ForceScratch;
+struct ForceScratch;
 }  // namespace kernels
 
 /// The forces on a run of neighbours in a row of particles, while they are in the cache.

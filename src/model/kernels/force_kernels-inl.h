@@ -37,8 +37,8 @@ HWY_INLINE void copy(const Real* from, int count, Real* to) {
 
 /// Copies a row of particles. Rows that the cloth does not have are left at zero.
 HWY_INLINE void copy_row(const ForceInput& input, int row, ForceScratch& scratch) {
-    const int p = scratch.grid().particle(0, row), count = scratch.grid().nx;
-    if (row >= scratch.grid().ny) return;
+    const int p = scratch.grid.particle(0, row), count = scratch.grid.nx;
+    if (row >= scratch.grid.ny) return;
     const Rows x = scratch.x(row), v = scratch.v(row), wind = scratch.wind(row);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         copy(input.x[axis] + p, count, x[axis] + ForceScratch::margin);
@@ -48,10 +48,10 @@ HWY_INLINE void copy_row(const ForceInput& input, int row, ForceScratch& scratch
 }
 
 void copy_neighbours(const ForceInput& input, ForceScratch& scratch) {
-    for (int row = std::max(scratch.first_row() - 2, 0); row < scratch.first_row(); ++row) {
+    for (int row = std::max(scratch.first_row - 2, 0); row < scratch.first_row; ++row) {
         copy_row(input, row, scratch);
     }
-    for (int row = scratch.end_row(); row < scratch.end_row() + 2; ++row) copy_row(input, row, scratch);
+    for (int row = scratch.end_row; row < scratch.end_row + 2; ++row) copy_row(input, row, scratch);
 }
 
 /// Two kinds of spring of one law, from the same first ends.
@@ -74,7 +74,7 @@ HWY_INLINE SpringPair spring_pair(const std::array<SpringStencil, 6>& springs, i
         pair.x[s] = scratch.x(j + spring.dj);
         pair.v[s] = scratch.v(j + spring.dj);
         pair.di[s] = spring.di;
-        pair.there[s] = j + spring.dj < scratch.grid().ny ? scratch.there(first + s) : scratch.zeros();
+        pair.there[s] = j + spring.dj < scratch.grid.ny ? scratch.there(first + s) : scratch.zeros();
         pair.pull[s] = scratch.pulls(first + s, j);
     }
     return pair;
@@ -118,7 +118,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
     const Rows row_x = scratch.x(j), row_v = scratch.v(j), wind = scratch.wind(j), force = scratch.force();
     const Vec3 weight = input.model->particle_mass * input.model->gravity;
     const Real drag = input.model->drag;
-    const int end = ForceScratch::margin + scratch.grid().nx;
+    const int end = ForceScratch::margin + scratch.grid.nx;
     for (int i = ForceScratch::margin; i < end; i += static_cast<int>(hn::Lanes(d))) {
         const auto x = load(d, row_x, i), v = load(d, row_v, i);
         Lanes3<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
@@ -135,7 +135,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
 /// nor of those from before the first row.
 HWY_INLINE void add_up(const std::array<SpringStencil, 6>& springs, int j, ForceScratch& scratch) {
     const hn::CappedTag<Real, ForceScratch::margin> d;
-    const int end = ForceScratch::margin + scratch.grid().nx;
+    const int end = ForceScratch::margin + scratch.grid.nx;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Real* from[6];
         for (int s = 0; s < 6; ++s) {
@@ -159,15 +159,15 @@ HWY_INLINE void add_up(const std::array<SpringStencil, 6>& springs, int j, Force
 template <bool windy>
 HWY_INLINE void sweep(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
     const auto springs = spring_stencils(*input.model);
-    const int first = scratch.first_row(), end = scratch.end_row(), found_from = std::max(first - 2, 0);
+    const int first = scratch.first_row, end = scratch.end_row, found_from = std::max(first - 2, 0);
     for (int j = first; j < std::min(found_from + 2, end); ++j) copy_row(input, j, scratch);
     for (int j = found_from; j < end; ++j) {
         if (j + 2 >= first && j + 2 < end) copy_row(input, j + 2, scratch);
         find_pulls<windy>(input, springs, j, scratch);
         if (j < first) continue;
         add_up(springs, j, scratch);
-        use({scratch.grid().particle(0, j), scratch.grid().nx, scratch.force()[0] + ForceScratch::margin,
-             scratch.length(), input.model});
+        use({scratch.grid.particle(0, j), scratch.grid.nx, scratch.force()[0] + ForceScratch::margin, scratch.length,
+             input.model});
     }
 }
 
@@ -184,15 +184,14 @@ namespace drape::kernels {
 HWY_EXPORT(copy_neighbours);
 HWY_EXPORT(forces_on);
 
-ForceScratch::ForceScratch(const Grid& grid, int first_row, int end_row)
-    : grid_(grid), first_row_(first_row), end_row_(end_row) {
+ForceScratch::ForceScratch(const Grid& cloth, int first, int end) : grid(cloth), first_row(first), end_row(end) {
     // An odd number of lines, lest the rows lie apart by a power of two
     const int lines = (grid.nx + 2 * margin + CacheLine::numbers - 1) / CacheLine::numbers | 1;
-    length_ = lines * CacheLine::numbers;
+    length = lines * CacheLine::numbers;
     memory_.resize(static_cast<std::size_t>(rows * lines));  // zeros
     for (std::size_t kind = 0; kind < spring_directions.size(); ++kind) {
-        const int di = spring_directions[kind].di, first = std::max(0, -di), end = std::min(grid.nx, grid.nx - di);
-        std::fill_n(there(static_cast<int>(kind)) + margin + first, end - first, Real(1));
+        const int di = spring_directions[kind].di, from = std::max(0, -di), to = std::min(grid.nx, grid.nx - di);
+        std::fill_n(there(static_cast<int>(kind)) + margin + from, to - from, Real(1));
     }
 }
 

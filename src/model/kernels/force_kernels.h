@@ -24,17 +24,14 @@ using Rows = std::array<Real*, 3>;
 /// The rows of numbers that a sweep over some rows of the cloth works in. Rows of the cloth, which may lie apart by a
 /// power of two and then drive each other out of the cache, are copied here. Particles that the cloth does not have are
 /// zero.
-class ForceScratch {
-public:
+struct ForceScratch {
     static constexpr int margin = 16;  ///< columns on both sides that springs and the last vector extend into
 
-    /// For rows first_row to end_row - 1.
-    ForceScratch(const Grid& grid, int first_row, int end_row);
+    Grid grid;
+    int first_row, end_row;  ///< the rows swept are first_row to end_row - 1
+    int length;              ///< of each row of numbers
 
-    [[nodiscard]] const Grid& grid() const { return grid_; }
-    [[nodiscard]] int first_row() const { return first_row_; }
-    [[nodiscard]] int end_row() const { return end_row_; }
-    [[nodiscard]] int length() const { return length_; }
+    ForceScratch(const Grid& cloth, int first, int end);
 
     /// A row of particles, of which three follow one another and two after the last one stay.
     [[nodiscard]] Rows x(int row) { return three(9 * slot(row)); }
@@ -59,13 +56,10 @@ private:
         Real values[numbers];
     };
 
-    [[nodiscard]] int slot(int row) const { return row < end_row_ ? row % 3 : 3 + row - end_row_; }
-    [[nodiscard]] Real* row_of(int number) { return memory_.data()->values + number * length_; }
+    [[nodiscard]] int slot(int row) const { return row < end_row ? row % 3 : 3 + row - end_row; }
+    [[nodiscard]] Real* row_of(int number) { return memory_.data()->values + number * length; }
     [[nodiscard]] Rows three(int number) { return {row_of(number), row_of(number + 1), row_of(number + 2)}; }
 
-    Grid grid_;
-    int first_row_, end_row_;
-    int length_;
     std::vector<CacheLine> memory_;
 };
 
