@@ -32,11 +32,8 @@ public:
 
         // s and the known part of dx = x_{n+1} - x_n; backward Euler is s = h without a past
         const Real s = goes_on ? 2 * h / 3 : h;
-        if (goes_on) {
-            dx_ = (state.x - last_.from.x) / 3 + s * state.v;
-        } else {
-            dx_ = s * state.v;
-        }
+        dx_ = s * state.v;
+        if (goes_on) dx_ += (state.x - last_.from.x) / 3;
         const int evaluations = system_.linearise_ahead(model, state, dx_, s, r_);
         r_ *= s;
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);

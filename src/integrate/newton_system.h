@@ -97,31 +97,29 @@ public:
             jacobian_.add_product(s * s, s, u, y);
             clear_pinned(y);
         };
-        const auto solve_with = [&](int iterations, auto precondition) {
-            const krylov::Limits limits{tolerance_, iterations};
-            if (bicgstab_) return bicgstab_->solve(r, dv, limits, apply, precondition);
-            return conjugate_gradients_.solve(r, dv, limits, apply, precondition);
+        int iterations = 0;  // of all attempts
+        const auto solve_with = [&](int most, auto precondition) {
+            const krylov::Limits limits{tolerance_, most};
+            krylov::Outcome outcome = bicgstab_ ? bicgstab_->solve(r, dv, limits, apply, precondition)
+                                                : conjugate_gradients_.solve(r, dv, limits, apply, precondition);
+            outcome.iterations = iterations += outcome.iterations;
+            return outcome;
         };
-        krylov::Outcome outcome;
         if (multigrid_ && is_stiff(model, s)) {
             multigrid_->build(model, jacobian_, s * s, s);
-            outcome = solve_with(most_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
+            const krylov::Outcome outcome =
+                solve_with(most_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
             if (outcome.converged) return outcome;
         }
-        const int cycles = outcome.iterations;
         if (model.grid.particles() > few_particles) {
             invert_diagonal(model, s);
-            outcome = solve_with(
+            const krylov::Outcome outcome = solve_with(
                 factor_ ? patience(model.grid.particles()) : most_iterations,
                 [&](const Points& from, Points& to) { multiply_blocks(inverse_, from.array(), to.array()); });
-            outcome.iterations += cycles;
             if (!factor_ || outcome.converged) return outcome;
         }
         factor_->factorise(model, jacobian_, s * s, s);
-        const int wasted = outcome.iterations;
-        outcome = solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
-        outcome.iterations += wasted;
-        return outcome;
+        return solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
     }
 
     /// Whether further Newton steps are asked for.

@@ -107,13 +107,13 @@ HWY_INLINE void pull(D d, const SpringPair& pair, const Lanes3<V>& x, const Lane
 }
 
 /// Finds the pulls of all springs whose first ends lie in row j, and adds them up there, with gravity, drag and wind.
-template <bool windy>
 HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStencil, 6>& springs, int j,
                            ForceScratch& scratch) {
     const hn::CappedTag<Real, ForceScratch::margin> d;
     const SpringPair structural = spring_pair(springs, 0, j, scratch);
     const SpringPair shear = spring_pair(springs, 2, j, scratch);
     const SpringPair bend = spring_pair(springs, 4, j, scratch);
+    const bool windy = input.wind[0] != nullptr;
     const bool has[3] = {structural.law != SpringLaw{}, shear.law != SpringLaw{}, bend.law != SpringLaw{}};
     const Rows row_x = scratch.x(j), row_v = scratch.v(j), wind = scratch.wind(j), force = scratch.force();
     const Vec3 weight = input.model->particle_mass * input.model->gravity;
@@ -123,7 +123,7 @@ HWY_INLINE void find_pulls(const ForceInput& input, const std::array<SpringStenc
         const auto x = load(d, row_x, i), v = load(d, row_v, i);
         Lanes3<hn::Vec<decltype(d)>> f{hn::Set(d, weight[0]), hn::Set(d, weight[1]), hn::Set(d, weight[2])};
         f = minus(f, times(v, hn::Set(d, drag)));
-        if constexpr (windy) f = plus(f, load(d, wind, i));
+        if (windy) f = plus(f, load(d, wind, i));
         if (has[0]) pull(d, structural, x, v, i, f);
         if (has[1]) pull(d, shear, x, v, i, f);
         if (has[2]) pull(d, bend, x, v, i, f);
@@ -156,23 +156,18 @@ HWY_INLINE void add_up(const std::array<SpringStencil, 6>& springs, int j, Force
     }
 }
 
-template <bool windy>
-HWY_INLINE void sweep(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
+void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
     const auto springs = spring_stencils(*input.model);
     const int first = scratch.first_row, end = scratch.end_row, found_from = std::max(first - 2, 0);
     for (int j = first; j < std::min(found_from + 2, end); ++j) copy_row(input, j, scratch);
     for (int j = found_from; j < end; ++j) {
         if (j + 2 >= first && j + 2 < end) copy_row(input, j + 2, scratch);
-        find_pulls<windy>(input, springs, j, scratch);
+        find_pulls(input, springs, j, scratch);
         if (j < first) continue;
         add_up(springs, j, scratch);
         use({scratch.grid.particle(0, j), scratch.grid.nx, scratch.force()[0] + ForceScratch::margin, scratch.length,
              input.model});
     }
-}
-
-void forces_on(const ForceInput& input, ForceScratch& scratch, const std::function<void(const ForceRun&)>& use) {
-    input.wind[0] != nullptr ? sweep<true>(input, scratch, use) : sweep<false>(input, scratch, use);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
