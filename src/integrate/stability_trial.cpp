@@ -60,8 +60,8 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
 }
 
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
-                    Real guess, Real longest, int steps, const std::function<void(Real, TrialEnd)>& tried) {
-    constexpr Real precision = Real(0.005);
+                    Real guess, int steps, const std::function<void(Real, TrialEnd)>& tried) {
+    constexpr Real precision = Real(0.005), longest = 1;
     constexpr int most_halvings = 20;
     const auto bounded = [&](Real step) {
         const TrialEnd end = try_step(model, start, parameters, step, steps);

@@ -35,7 +35,7 @@ TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
         for (const IntegratorKind kind :
              {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
             const Real predicted = sheet.predicted(kind);
-            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = kind}, Real(0.7) * predicted, 1);
+            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = kind}, Real(0.7) * predicted);
             EXPECT_NEAR(measured / predicted, 1, 0.03) << name_of(kind) << ", " << sheet.model.grid.nx
                                                        << " a side, damping " << sheet.model.structural.damping;
         }
@@ -45,7 +45,7 @@ TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
 TEST(LongMeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
     const TrialSheet sheet(8, 1e3, 0);
     const auto measured = [&](Real guess) {
-        return measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::SymplecticEuler}, guess, 1);
+        return measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::SymplecticEuler}, guess);
     };
     const Real from_below = measured(Real(1e-4));
     // From above, and where nothing is guessed
@@ -60,8 +60,8 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
         for (const int steps : {3000, 12000}) {
             const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega,
                                                                      fastest.zeta, Kernels::Vector, steps);
-            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler},
-                                                 expected / 2, 1, steps);
+            const Real measured =
+                measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler}, expected / 2, steps);
             EXPECT_NEAR(measured / expected, 1, 0.15) << "damping " << damping << ", steps " << steps;
             EXPECT_GT(measured, sheet.predicted(IntegratorKind::ExplicitEuler));
         }

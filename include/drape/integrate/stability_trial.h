@@ -37,12 +37,11 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
 
 /// The longest step that stays bounded, by bisection to half a percent.
 /// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does
-/// not. If it is not positive, that is `longest`.
+/// not. If it is not positive, that is a second.
 /// @param tried told of every step that was tried; may be empty
-/// @return [s]; infinite if none up to `longest` fails, 0 if none does not
+/// @return [s]; infinite if none up to a second fails, 0 if none does not
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,
-                    Real guess, Real longest, int steps = tried_steps,
-                    const std::function<void(Real, TrialEnd)>& tried = {});
+                    Real guess, int steps = tried_steps, const std::function<void(Real, TrialEnd)>& tried = {});
 
 /// The step at which explicit Euler's growth shows in a trial. It damps no vibration beyond its limit d/k, but is slow
 /// to show that: N steps h multiply the energy of one by (1 - h d + h^2 k)^N, and the trial ends where this is as much

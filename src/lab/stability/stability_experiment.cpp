@@ -64,7 +64,7 @@ Rows run_stability_case(const Method& method, const char* sweep, int side, const
     Real measured = std::numeric_limits<Real>::infinity();
     if (std::isfinite(expected)) {
         // The search knows the prediction only as a rough start
-        measured = measured_limit(model, state, integrator, Real(0.6) * expected, 1, steps, note);
+        measured = measured_limit(model, state, integrator, Real(0.6) * expected, steps, note);
         for (const double part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
             const Real step = static_cast<Real>(part) * expected;
             note(step, try_step(model, state, integrator, step, steps));
