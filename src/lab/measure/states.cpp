@@ -22,8 +22,6 @@ ClothState disturbed(const ClothModel& model, ClothState state) {
     return state;
 }
 
-Measure measure_for(double growth) { return growth <= most_growth ? Measure::Position : Measure::Overall; }
-
 double position_error(const Points& x, const Points& exact, Real side) {
     const double squares = static_cast<double>((x - exact).squaredNorm());
     return std::sqrt(squares / static_cast<double>(x.rows())) / static_cast<double>(side);

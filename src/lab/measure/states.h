@@ -26,11 +26,6 @@ enum class Measure {
 template <>
 inline constexpr auto enum_names<Measure> = all_names<Measure>("position", "overall");
 
-/// Positions, where small errors stay small; beyond `most_growth`, or where the growth is no number, only what does not
-/// depend on the single particle.
-/// @param growth of a small error on the way to the horizon
-Measure measure_for(double growth);
-
 double position_error(const Points& x, const Points& exact, Real side);
 
 double overall_error(const ClothModel& model, const ClothState& state, const ClothState& exact, Real side);
