@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -126,22 +127,17 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
 }
 
 ExperimentCases precision_cases(bool quick) {
-    ExperimentCases all;
-    for (const PrecisionScene& scene : precision_scenes(quick)) {
-        // Found when the first case asks for it
-        const auto reference = std::make_shared<std::optional<Reference>>();
-        for (const Method& method : precision_methods()) {
-            all.push_back([scene, reference, method] {
-                if (!*reference) *reference = find_reference(scene);
-                Rows rows;
-                for (const Rung& rung : ladder(method.parameters, scene)) {
-                    rows.push_back(row_of(method, rung, scene, **reference));
-                }
-                return rows;
-            });
-        }
-    }
-    return all;
+    const auto references = std::make_shared<std::map<std::string, Reference>>();  // found when a case asks for them
+    return cases_over(
+        [=](const PrecisionScene& scene, const Method& method) {
+            if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
+            Rows rows;
+            for (const Rung& rung : ladder(method.parameters, scene)) {
+                rows.push_back(row_of(method, rung, scene, references->at(scene.name)));
+            }
+            return rows;
+        },
+        precision_scenes(quick), precision_methods());
 }
 
 }  // namespace

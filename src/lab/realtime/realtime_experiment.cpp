@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
-#include <optional>
 
 #include "drape/base/input_error.h"
 #include "drape/model/stencils.h"
@@ -35,7 +35,6 @@ namespace {
 
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
-constexpr int tried_sides[] = {16, 23, 32, 45, 64, 91, 128, 181, 256};
 
 /// A method with a step limit makes one step, which is divided as its limit asks for.
 std::vector<FrameMethod> frame_methods() {
@@ -54,7 +53,7 @@ std::vector<FrameMethod> frame_methods() {
 
 Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, int threads) {
     constexpr const char* scenes[] = {"two_corners", "drop", "fold"};
-    Settings settings = load_scene(scenes[static_cast<std::size_t>(motion)]);
+    Settings settings = with_method(load_scene(scenes[static_cast<std::size_t>(motion)]), method.parameters);
     ClothParameters& cloth = settings.cloths[0];
     cloth.particles = {side, side};
     cloth.width = cloth.height = 1;
@@ -67,14 +66,10 @@ Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, in
     if (motion == FrameMotion::Free) settings.balls.clear();
     if (motion == FrameMotion::Fold) cloth.place += Vec3(Real(-0.1), Real(0.2), 0);  // the scene's sheet is smaller
     settings.contact.self = motion == FrameMotion::Fold;
-    settings.solver.integrator = method.parameters.kind;
-    settings.solver.hessian = method.parameters.hessian;
-    settings.solver.iterations = method.parameters.iterations;
     settings.solver.threads = threads;
     settings.solver.dt = frame / method.steps;
     settings.solver.on_unstable = OnUnstable::Substep;
     settings.solver.sleep_speed = 0;
-    settings.solver.ledger = false;
     settings.needs.horizon = Real(0.5);
     // How a sheet buckles is a matter of chance
     settings.needs.measure = motion == FrameMotion::Fold ? NeedsMeasure::CentreAndSpread : NeedsMeasure::Positions;
@@ -82,13 +77,14 @@ Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, in
 }
 
 /// That all but a hundredth of the structural springs stay below at the end, of their length.
-double stretch_of(const Settings& settings, const Motion& motion) {
-    const ClothModel model = make_cloth_model(settings.cloths[0]);
+/// @param cloth of the motion, but for its particles
+double stretch_of(ClothParameters cloth, const Motion& motion) {
+    cloth.particles = motion.grid;
     const Points& x = motion.x.back();
     std::vector<Real> all;
-    for (const SpringStencil& springs : spring_stencils(model)) {
+    for (const SpringStencil& springs : spring_stencils(make_cloth_model(cloth))) {
         if (!springs.structural()) continue;
-        springs.for_each(model.grid,
+        springs.for_each(motion.grid,
                          [&](int a, int b) { all.push_back((x.row(a) - x.row(b)).norm() / springs.rest_length - 1); });
     }
     const auto high = all.begin() + static_cast<std::ptrdiff_t>(all.size() * 99 / 100);
@@ -112,8 +108,8 @@ Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads
     Row row{{"motion", motion}, {"method", method.name}, {"threads", threads}, {"side", side}};
     row.set("end", run.diverged ? "diverged" : "late");
     if (run.diverged || run.given_up) return row;
-    const double excess =
-        std::max(stretch_of(settings, run) - stretch_of(settings_of(motion, method, truth.grid.nx, 1), truth), 0.0);
+    const ClothParameters& cloth = settings.cloths[0];
+    const double excess = std::max(stretch_of(cloth, run) - stretch_of(cloth, truth), 0.0);
     row.set({{"wall_s_per_s", run.wall},
              {"cpu_s_per_s", run.cost},
              {"stretch_excess", excess},
@@ -122,53 +118,30 @@ Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads
     return row;
 }
 
-/// From small to large, until it is no longer real time.
-Rows run_method(FrameMotion motion, const FrameMethod& method, int threads, bool quick, const Motion& truth) {
-    Rows rows;
-    for (const int side : tried_sides) {
-        if (quick && side > 32) break;
-        rows.push_back(run_one(motion, method, side, threads, truth));
-        if (rows.back().word("end") == "late") break;
-    }
-    return rows;
-}
-
 ExperimentCases realtime_cases(bool quick) {
-    ExperimentCases all;
-    for (const FrameMotion motion : values_of<FrameMotion>()) {
-        // Found when the first case asks for it
-        const auto truth = std::make_shared<std::optional<Motion>>();
-        for (const int threads : {1, 2}) {
-            for (const FrameMethod& method : frame_methods()) {
-                all.push_back([=] {
-                    if (!*truth) *truth = converged(motion, quick);
-                    return run_method(motion, method, threads, quick, **truth);
-                });
+    const auto truths = std::make_shared<std::map<FrameMotion, Motion>>();  // found when the first case asks for them
+    return cases_over(
+        [=](FrameMotion motion, int threads, const FrameMethod& method) {
+            if (!truths->contains(motion)) truths->emplace(motion, converged(motion, quick));
+            // From small to large, until it is no longer real time
+            Rows rows;
+            for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
+                if (quick && side > 32) break;
+                rows.push_back(run_one(motion, method, side, threads, truths->at(motion)));
+                if (rows.back().word("end") == "late") break;
             }
-        }
-    }
-    return all;
+            return rows;
+        },
+        values_of<FrameMotion>(), std::vector{1, 2}, frame_methods());
 }
 
-/// Of some methods, that have a cloth in real time on one thread.
-std::vector<Chart> realtime_charts(Rows rows) {
-    const std::vector<std::string> charted{"symplectic_euler_by_1",
-                                           "backward_euler_clamped_by_1",
-                                           "backward_euler_clamped_by_4",
-                                           "bdf2_clamped_by_2",
-                                           "xpbd_1_by_10",
-                                           "xpbd_1_by_40"};
-    std::erase_if(rows, [&](const Row& row) {
-        return row.word("end") != "realtime" || row.number("threads") != 1 ||
-               std::ranges::find(charted, row.word("method")) == charted.end();
-    });
+std::vector<Chart> realtime_charts(const Rows& rows) {
     std::vector<Chart> charts;
     for (const std::string& motion : words_of(rows, "motion")) {
-        const auto methods = words_of(rows_with(rows, "motion", motion), "method");
         charts.push_back({"realtime_" + motion,
                           "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
                           "than the converged cloth: how far they are from that cloth, by their size.",
-                          {{"motion", motion}, {"methods", in_words(methods)}},
+                          {{"motion", motion}},
                           {},
                           "realtime"});
     }
