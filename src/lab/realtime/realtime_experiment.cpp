@@ -104,7 +104,7 @@ Motion converged(FrameMotion motion, bool quick) {
 Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
-    const Motion run = run_to_horizon(settings, {.cost = patience * threads});
+    const Motion run = run_to_horizon(settings, patience * threads);
     Row row{{"motion", motion}, {"method", method.name}, {"threads", threads}, {"side", side}};
     row.set("end", run.diverged ? "diverged" : "late");
     if (run.diverged || run.given_up) return row;
