@@ -15,7 +15,6 @@ struct Quartiles {
 
 /// In place of a number that there is not.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-inline constexpr Quartiles no_quartiles{no_number, no_number, no_number};
 
 /// @param values at least one; between two of them it is interpolated linearly
 Quartiles quartiles_of(std::vector<double> values);

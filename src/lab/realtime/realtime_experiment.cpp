@@ -15,23 +15,20 @@ namespace drape {
 namespace {
 
 /// What a square cloth of 1 m does, of any number of particles: its mass, its drag and its springs stay the same.
-enum class FrameMotion {
-    Free,  ///< falls, hung by two corners
-    Ball,  ///< falls flat on a ball
-    Fold   ///< falls upright on the ground and folds on itself
+struct FrameMotion {
+    std::string name, scene;
 };
+
+std::vector<FrameMotion> frame_motions() {
+    return {{"free", "two_corners"},  // falls, hung by two corners
+            {"ball", "drop"},         // falls flat on a ball
+            {"fold", "fold"}};        // falls upright on the ground and folds on itself
+}
 
 /// A method, and in how many steps it makes a frame; its name has both.
 struct FrameMethod : Method {
     int steps = 1;
 };
-
-}  // namespace
-
-template <>
-inline constexpr auto enum_names<FrameMotion> = all_names<FrameMotion>("free", "ball", "fold");
-
-namespace {
 
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
@@ -51,9 +48,9 @@ std::vector<FrameMethod> frame_methods() {
     return all;
 }
 
-Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, int threads) {
-    constexpr const char* scenes[] = {"two_corners", "drop", "fold"};
-    Settings settings = with_method(load_scene(scenes[static_cast<std::size_t>(motion)]), method.parameters);
+Settings settings_of(const FrameMotion& motion, const FrameMethod& method, int side, int threads) {
+    const bool folds = motion.name == "fold";
+    Settings settings = with_method(load_scene(motion.scene), method.parameters);
     ClothParameters& cloth = settings.cloths[0];
     cloth.particles = {side, side};
     cloth.width = cloth.height = 1;
@@ -63,16 +60,16 @@ Settings settings_of(FrameMotion motion, const FrameMethod& method, int side, in
     cloth.bend = {5, Real(0.01)};
     cloth.drag = Real(0.7) / static_cast<Real>(cloth.particles.particles());
     cloth.stretch_limit = 0;  // what a method leaves of the springs is to be seen
-    if (motion == FrameMotion::Free) settings.balls.clear();
-    if (motion == FrameMotion::Fold) cloth.place += Vec3(Real(-0.1), Real(0.2), 0);  // the scene's sheet is smaller
-    settings.contact.self = motion == FrameMotion::Fold;
+    if (motion.name == "free") settings.balls.clear();
+    if (folds) cloth.place += Vec3(Real(-0.1), Real(0.2), 0);  // the scene's sheet is smaller
+    settings.contact.self = folds;
     settings.solver.threads = threads;
     settings.solver.dt = frame / method.steps;
     settings.solver.on_unstable = OnUnstable::Substep;
     settings.solver.sleep_speed = 0;
     settings.needs.horizon = Real(0.5);
     // How a sheet buckles is a matter of chance
-    settings.needs.measure = motion == FrameMotion::Fold ? NeedsMeasure::CentreAndSpread : NeedsMeasure::Positions;
+    settings.needs.measure = folds ? NeedsMeasure::CentreAndSpread : NeedsMeasure::Positions;
     return settings;
 }
 
@@ -93,19 +90,19 @@ double stretch_of(ClothParameters cloth, const Motion& motion) {
 }
 
 /// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
-Motion converged(FrameMotion motion, bool quick) {
+Motion converged(const FrameMotion& motion, bool quick) {
     const FrameMethod method{{"converged", {.kind = IntegratorKind::VelocityVerlet}}, 1};
     Motion run = run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
-    if (run.diverged) throw RunError(std::string("realtime: the reference of '") + name_of(motion) + "' has diverged");
+    if (run.diverged) throw RunError("realtime: the reference of '" + motion.name + "' has diverged");
     return run;
 }
 
 /// A cloth of one size by one method.
-Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
+Row run_one(const FrameMotion& motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
     const Motion run = run_to_horizon(settings, patience * threads);
-    Row row{{"motion", motion}, {"method", method.name}, {"threads", threads}, {"side", side}};
+    Row row{{"motion", motion.name}, {"method", method.name}, {"threads", threads}, {"side", side}};
     row.set("end", run.diverged ? "diverged" : "late");
     if (run.diverged || run.given_up) return row;
     const ClothParameters& cloth = settings.cloths[0];
@@ -119,20 +116,20 @@ Row run_one(FrameMotion motion, const FrameMethod& method, int side, int threads
 }
 
 ExperimentCases realtime_cases(bool quick) {
-    const auto truths = std::make_shared<std::map<FrameMotion, Motion>>();  // found when the first case asks for them
+    const auto truths = std::make_shared<std::map<std::string, Motion>>();  // found when the first case asks for them
     return cases_over(
-        [=](FrameMotion motion, int threads, const FrameMethod& method) {
-            if (!truths->contains(motion)) truths->emplace(motion, converged(motion, quick));
+        [=](const FrameMotion& motion, int threads, const FrameMethod& method) {
+            if (!truths->contains(motion.name)) truths->emplace(motion.name, converged(motion, quick));
             // From small to large, until it is no longer real time
             Rows rows;
             for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
                 if (quick && side > 32) break;
-                rows.push_back(run_one(motion, method, side, threads, truths->at(motion)));
+                rows.push_back(run_one(motion, method, side, threads, truths->at(motion.name)));
                 if (rows.back().word("end") == "late") break;
             }
             return rows;
         },
-        values_of<FrameMotion>(), std::vector{1, 2}, frame_methods());
+        frame_motions(), std::vector{1, 2}, frame_methods());
 }
 
 std::vector<Chart> realtime_charts(const Rows& rows) {
@@ -154,8 +151,9 @@ Experiment realtime_experiment() {
     return {"realtime",
             "how large a cloth can be moved in real time, and how accurately?",
             5,
-            {name_column<FrameMotion>("motion"), word_column("method", names_in(frame_methods(), &FrameMethod::name)),
-             whole_column("threads", 1), whole_column("side", 2),
+            {word_column("motion", names_in(frame_motions(), &FrameMotion::name)),
+             word_column("method", names_in(frame_methods(), &FrameMethod::name)), whole_column("threads", 1),
+             whole_column("side", 2),
              number_column("wall_s_per_s").or_nan(),    // of a simulated second
              number_column("cpu_s_per_s").or_nan(),     // that of all threads
              number_column("stretch_excess").or_nan(),  // 99th percentile at the end, over the converged cloth's
