@@ -1,7 +1,5 @@
 #include "needs.h"
 
-#include <algorithm>
-
 #include "configurations.h"
 #include "drape/scene/setting_table.h"
 #include "lab/measure/statistics.h"
@@ -22,7 +20,7 @@ public:
 
     Attempt find() {
         if (needs_.states_error()) {
-            find_method(models());
+            find_method();
         } else {
             take(needs_.full());
         }
@@ -34,24 +32,23 @@ public:
     }
 
 private:
-    /// The full model and what is left of it, the least last.
+    /// The full model and what is left of it, the least first.
     std::vector<Settings> models() {
         std::vector<Settings> found{needs_.full()};
         for (const Knob knob : {Knob::Particles, Knob::Bend, Knob::Drag}) {
-            while (const auto less = one_notch_less(found.back(), knob)) {
+            while (const auto less = one_notch_less(found.front(), knob)) {
                 const Attempt attempt = needs_.attempt(computed_closely(*less, close_step));
                 note(attempt, "kept: enough of a model");
                 if (!attempt.qualifies()) break;
-                found.push_back(*less);
+                found.insert(found.begin(), *less);
             }
         }
         return found;
     }
 
     /// The cheapest of all methods on all models.
-    void find_method(std::vector<Settings> models) {
-        std::reverse(models.begin(), models.end());
-        for (const Settings& model : models) {
+    void find_method() {
+        for (const Settings& model : models()) {
             for (const IntegratorKind kind : integrators()) {
                 Settings method = model;
                 method.solver.integrator = kind;

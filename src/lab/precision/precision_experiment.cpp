@@ -120,6 +120,7 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
         const double error = error_of(reference.measure, model, end.state, reference.state, scene.side());
         squares += error * error;
     }
+    // What was run for the errors has warmed up
     std::vector<double> costs;
     for (int timing = 0; timing < 7; ++timing) costs.push_back(finish(scene, rung).cost);
     row.set({{"end", "bounded"}, {"error", std::sqrt(squares / scene.phases)}, {"cost_s_per_s", quartiles_of(costs)}});
