@@ -11,11 +11,9 @@ point(method) = is('method', method) && @here
 methods = ''; points = 0; least_error = 1e9; most_error = 0; least_cost = 1e9; most_cost = 0
 noted(method, error, cost) = (points = points + 1, methods = with_word(methods, method), \
   least_error = least(least_error, error), most_error = most(most_error, error), \
-  least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), 0)
-of_scene(measure) = (particles = column('particles'), stiffness = column('stiffness_N_per_m'), \
-  overall = measure eq 'overall', 0)
-stats table using (@here ? noted(strcol('method'), column('error'), column('cost_s_per_s')) + of_scene(strcol('measure')) : 0) \
-  nooutput
+  least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), \
+  particles = column('particles'), stiffness = column('stiffness_N_per_m'), 0)
+stats table using (@here ? noted(strcol('method'), column('error'), column('cost_s_per_s')) : 0) nooutput
 # The Pareto front: points that no other one beats in both numbers
 array errors[points]; array costs[points]
 points = 0
@@ -62,7 +60,7 @@ do for [family in families] {
     eval label_at(k, name_of(word(shown, k)).order(word(shown, k)), colours[k], on_left(k) ? 'right' : 'left').' boxed'
   }
   set label 11 family at graph 0, graph 0 left offset 1,1 font ',13'
-  if (family eq 'positional') { set xlabel overall ? 'error of sag, centre of mass and energy' : 'RMS position error / side of the cloth' }
+  if (family eq 'positional') { set xlabel 'RMS position error / side of the cloth' }
   set xrange [low:high]
   set yrange [least_cost / 1.6:most_cost * 1.6]
   plot table using (only(@here && !beaten(column('error'), column('cost_s_per_s')), column('error'))):(column('cost_s_per_s')) \

@@ -8,7 +8,6 @@
 #include "drape/integrate/integrator.h"
 #include "drape/scene/settings.h"
 #include "lab/experiment/experiment.h"
-#include "lab/measure/states.h"
 
 namespace drape {
 
@@ -59,16 +58,16 @@ Finish finish(const PrecisionScene& scene, const Rung& rung, Real phase = 0,
 /// What is taken for the truth at the horizon of a scene, and what that is worth.
 struct Reference {
     ClothState state;
-    double growth = 0;  ///< of `small_error`, on the way to the horizon
-    Measure measure = Measure::Position;
-    double error = 0;  ///< its own, in that measure: what the last rung of its ladder has changed
+    double growth;  ///< of `small_error`, on the way to the horizon
+    double error;   ///< its own: what the last rung has changed
 };
 
 /// @par Cost seconds
 Reference find_reference(const PrecisionScene& scene);
 
 /// A work-precision diagram a scene.
-/// @throws RunError if the reference of a scene is not two decades better than the best point: nothing is drawn then
+/// @throws RunError if small errors grow on a scene by more than `most_growth`, or its reference is not two decades
+///         better than the best point: nothing is drawn then
 std::vector<Chart> precision_charts(const Rows& rows);
 
 }  // namespace drape

@@ -7,6 +7,7 @@
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/methods.h"
+#include "lab/measure/states.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
@@ -110,13 +111,9 @@ Reference find_reference(const PrecisionScene& scene) {
     const auto& [coarse, before, last] = scene.reference;
     const double small = static_cast<double>((nudged.x - start.x).norm());
     const Points apart = finish(scene, coarse, 0, nudged).state.x - finish(scene, coarse).state.x;
-    Reference reference;
-    reference.growth = static_cast<double>(apart.norm()) / small;
-    // Where small errors grow, or nobody knows, only what does not depend on the single particle
-    reference.measure = reference.growth <= most_growth ? Measure::Position : Measure::Overall;
-    reference.state = finish(scene, last).state;
-    reference.error = error_of(reference.measure, model, finish(scene, before).state, reference.state, scene.side());
-    return reference;
+    const ClothState end = finish(scene, last).state;
+    return {end, static_cast<double>(apart.norm()) / small,
+            position_error(finish(scene, before).state.x, end.x, scene.side())};
 }
 
 }  // namespace drape
