@@ -21,18 +21,16 @@ namespace {
 /// A reference must be this much better than the best point that is compared with it.
 constexpr double least_margin = 100;
 
-bool is_point(const Row& row) {
-    return row.word("end") == "bounded" && std::isfinite(row.number("error")) &&
-           std::isfinite(row.number("cost_s_per_s"));
-}
-
 /// Of the steps of a method that are shorter than any that was unstable.
 /// @param method its rows, from long steps to short ones
 std::optional<double> order_of(const Rows& method) {
     std::vector<std::pair<double, double>> errors;
     for (const Row& row : method) {
-        if (!is_point(row)) errors.clear();
-        if (is_point(row)) errors.emplace_back(row.number("step_s"), row.number("error"));
+        if (row.word("end") != "bounded") {
+            errors.clear();
+        } else {
+            errors.emplace_back(row.number("step_s"), row.number("error"));
+        }
     }
     return observed_order(errors);
 }
@@ -147,9 +145,7 @@ ExperimentCases precision_cases(bool quick) {
 std::vector<Chart> precision_charts(const Rows& rows) {
     std::vector<Chart> charts;
     for (const std::string& scene : words_of(rows, "scene")) {
-        const Rows own = rows_with(rows, "scene", scene);
-        Rows points = own;
-        std::erase_if(points, [](const Row& row) { return !is_point(row); });
+        const Rows own = rows_with(rows, "scene", scene), points = rows_with(own, "end", "bounded");
         if (points.empty()) continue;
         const double growth = points.front().number("growth");
         if (!(growth <= most_growth)) {
