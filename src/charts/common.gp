@@ -44,6 +44,9 @@ only(wanted, value) = wanted ? value : NaN
 is(column_name, word) = strcol(column_name) eq word
 least(a, b) = a < b ? a : b
 most(a, b) = a > b ? a : b
+# The words that rows have, each once, in their order, where `stats` evaluates it for each row from an empty list.
+# A script that finds nothing to draw ends by `exit status 3`
+listed(list, word) = list eq '' ? word : place(list, word) > 0 ? list : list.' '.word
 # A tick at which what is less is drawn, too
 at_most(text) = '<'.text
 

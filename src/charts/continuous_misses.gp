@@ -1,4 +1,5 @@
-# Shots that are missed, against the ball's diameters a step.
+# caption: The part of the shots that pass a target unseen, against the diameters that the ball moves in a step: by
+# caption: discrete detection, beside what is predicted for it, and by continuous detection.
 # targets: what was shot at
 eval paper(430)
 eval frame(65, 30, 55, 70)

@@ -1,4 +1,5 @@
-# Times of discrete and continuous detection, against the number of particles.
+# caption: CPU time of the build and of the search, query and exact test, at the positions after a step and over all of
+# caption: it: medians with quartiles.
 # detections: what was measured
 eval paper(430)
 eval panels(1, 2, 70, 105, 55, 90, 70, 0)

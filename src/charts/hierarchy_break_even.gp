@@ -1,7 +1,17 @@
-# The total cost of the update policies, frame by frame and by the time between frames.
-# scene; volumes, updates: which were measured; interval: between frames on the left [s]; frames: how many
+# caption: Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; where a line
+# caption: crosses 1 is its break-even frame. Right: the same ratio after the last frame, over the time that the cloth
+# caption: has had to move between frames, and how loose a tree is that is kept.
+# scene
+of_scene = "(is('part', 'break_even') && is('scene', scene))"
+here(volume, update) = @of_scene && is('volume', volume) && is('update', update)
+# Which were measured; the interval [s] next to the rate of a screen, or what is there in a share of the cases
+volumes = ''; updates = ''; frames = 0; interval = 1e9
+off(seconds) = abs(seconds - 1. / 60)
+stats table using (!@of_scene ? 0 : (updates = listed(updates, strcol('update')), frames = most(frames, column('frame')), \
+  interval = off(column('interval_s')) < off(interval) ? column('interval_s') : interval, \
+  is('volume', 'sphere') || is('volume', 'aabb') ? (volumes = listed(volumes, strcol('volume'))) : 0, 0)) nooutput
+if (volumes eq '') { exit status 3 }
 eval paper(120 + 250 * words(volumes))
-here(volume, update) = is('part', 'break_even') && is('scene', scene) && is('volume', volume) && is('update', update)
 at_interval(volume, update) = here(volume, update) && abs(column('interval_s') - interval) < 1e-9
 at_end(volume, update) = here(volume, update) && column('frame') == frames
 ratio = "(column('cumulative_s_over_rebuild_s'))"
@@ -11,7 +21,7 @@ shortest = 1e9; longest = 0
 least_merged = 1e9; most_merged = 0
 do for [v = 1:words(volumes)] {
   merged[v] = NaN; loose[v] = NaN
-  stats table using (is('part', 'break_even') && is('scene', scene) ? (shortest = least(shortest, 1e3 * column('interval_s')), \
+  stats table using (@of_scene ? (shortest = least(shortest, 1e3 * column('interval_s')), \
     longest = most(longest, 1e3 * column('interval_s')), 0) : 0) nooutput
   stats table using (at_interval(word(volumes, v), 'merge') && column('frame') == frames ? (merged[v] = @ratio, \
     least_merged = least(least_merged, @ratio), most_merged = most(most_merged, @ratio), 0) : \

@@ -1,5 +1,10 @@
-# How a search that ends early changes the motion.
-# scenes
+# caption: How a search that ends early changes the simulated motion: the deepest penetration that is left,
+# caption: nodes that were taken for contacts although nothing in them touches, and how far the cloth is at the end from
+# caption: where the full search has it. At the right end of each line the search is full. Penetrations of less than
+# caption: 0.01 mm are drawn as 0.01 mm.
+scenes = ''
+stats table using (is('part', 'budget') && is('volume', 'sphere') ? (scenes = listed(scenes, strcol('scene')), 0) : 0) nooutput
+if (scenes eq '') { exit status 3 }
 eval paper(450)
 colour(k) = word(blue.' '.red.' '.green, k)
 marker(k) = k == 1 ? 7 : k == 2 ? 5 : 9

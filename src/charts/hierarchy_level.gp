@@ -1,4 +1,5 @@
-# Tightness, nodes visited, false candidates and time by level of the tree.
+# caption: What a search knows that ends at a level: how loose the nodes there are, how many of them it visits, how many
+# caption: cells it would test in vain for each that touches, and the CPU time it has taken to get there.
 # scene
 eval paper(640)
 lines = 'sphere:centroid:rebuild sphere:centroid:merge sphere:welzl:rebuild aabb:none:rebuild kdop18:none:rebuild obb:none:rebuild'

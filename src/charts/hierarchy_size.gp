@@ -1,10 +1,32 @@
-# Cost against the number of particles. builds, searches: what has a fit, as VOLUME:UPDATE:EXPONENT
-eval paper(470)
+# caption: CPU time of a build and of a search, medians, on one motion under more and more particles; the exponents are
+# caption: fitted to the larger half of the sizes.
 colons_to_blanks(text) = strstrt(text, ':') ? \
   colons_to_blanks(text[1:strstrt(text, ':') - 1].' '.text[strstrt(text, ':') + 1:*]) : text
 part(fitted, i) = word(colons_to_blanks(fitted), i)
 power(fitted) = part(fitted, 3) + 0
 here(fitted) = is('part', 'size') && is('volume', part(fitted, 1)) && is('update', part(fitted, 2))
+# Exponents as VOLUME:UPDATE:EXPONENT, fitted over the larger cloths, from the geometric middle of the smallest and the
+# largest on, where what a call costs at the least no longer counts; hierarchies with fewer than two such sizes have none
+smallest = 1e99; largest = 0
+stats table using (is('part', 'size') ? (smallest = least(smallest, column('particles')), \
+  largest = most(largest, column('particles')), 0) : 0) nooutput
+large(hierarchy) = here(hierarchy) && column('particles') > 0.999999 * sqrt(smallest * largest)
+builds = ''; searches = ''
+do for [hierarchy in 'aabb:merge aabb:rebuild brute:rebuild kdop18:merge kdop18:rebuild obb:merge obb:rebuild sphere:merge sphere:rebuild'] {
+  sizes = 0
+  stats table using (large(hierarchy) ? (sizes = sizes + 1, 0) : 0) nooutput
+  if (sizes > 1) {
+    stats table using (only(large(hierarchy), log(column('particles')))):(log(column('query_s') + column('exact_s'))) nooutput
+    searches = searches.' '.hierarchy.sprintf(':%.2f', STATS_slope)
+    # Brute force builds nothing
+    if (part(hierarchy, 1) ne 'brute') {
+      stats table using (only(large(hierarchy), log(column('particles')))):(log(column('build_s'))) nooutput
+      builds = builds.' '.hierarchy.sprintf(':%.2f', STATS_slope)
+    }
+  }
+}
+if (searches eq '') { exit status 3 }
+eval paper(470)
 # Of those that are merged only boxes, whose builds are the fastest
 build_lines = ''; search_lines = ''
 build_least = 1e9; build_most = 0; search_least = 1e9; search_most = 0; brute = NaN

@@ -1,10 +1,15 @@
-# What fits of spheres cost and how tight they are: a panel for each scene.
-# scenes, particles_SCENE; fits, updates: what was measured
+# caption: CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its particles;
+# caption: merging fits the leaves only and puts a sphere about the spheres below every other node.
+drawn = "(is('part', 'fit') && column('particles') != 128 * 128 && is('volume', 'sphere') && column('leaf_cells') == 4 && \
+  (is('update', 'rebuild') || is('update', 'merge')))"
+scenes = ''; fits = ''; updates = ''
+stats table using (@drawn ? (scenes = listed(scenes, strcol('scene')), fits = listed(fits, strcol('sphere_fit')), \
+  updates = listed(updates, strcol('update')), 0) : 0) nooutput
+if (scenes eq '') { exit status 3 }
 eval paper(450)
 colour(fit) = fit eq 'centroid' ? blue : fit eq 'box' ? sky : fit eq 'ritter' ? red : fit eq 'epos6' ? orange : \
               fit eq 'epos14' ? green : fit eq 'epos26' ? pink : black
-here(fit, update) = is('part', 'fit') && is('scene', scene) && column('particles') == value('particles_'.scene) && \
-  column('leaf_cells') == 4 && is('sphere_fit', fit) && is('update', update)
+here(fit, update) = @drawn && is('scene', scene) && is('sphere_fit', fit) && is('update', update)
 # Of all scenes, how much larger than the smallest the spheres by the centroid are, rebuilt
 loose = NaN
 do for [scene in scenes] {

@@ -1,15 +1,20 @@
-# Time of a frame against the storage of the hierarchy: a panel for each scene, a line for each volume.
-# scenes, particles_SCENE; volumes: VOLUME:BYTES, what a node takes; data: scene, volume, bytes of the tree, time
+# caption: CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line joins the
+# caption: leaf sizes of one volume, each rebuilt every frame; beside it the bytes a node.
+# bytes: 'VOLUME BYTES ...', what a node takes
+drawn = "(is('part', 'fit') && column('particles') == 128 * 128 && is('update', 'rebuild') && !is('volume', 'brute') && \
+  (!is('volume', 'sphere') || is('sphere_fit', 'centroid')))"
+scenes = ''; volumes = ''
+stats table using (@drawn ? (scenes = listed(scenes, strcol('scene')), volumes = listed(volumes, strcol('volume')), 0) : 0) nooutput
+if (scenes eq '') { exit status 3 }
 eval paper(430)
-volume_in(text) = text[1:strstrt(text, ':') - 1]
-bytes_in(text) = text[strstrt(text, ':') + 1:*]
+bytes_of(volume) = word(bytes, 1 + place(bytes, volume))
 colour(volume) = volume eq 'kdop6' ? orange : volume eq 'kdop26' ? grey : colour_of(volume)
 title_of(volume) = volume[1:4] eq 'kdop' ? volume[5:*].'-DOPs' : title_of_volume(volume)
 # Six of them: the fourth k-DOP lies between the others
 shown = ''
-do for [volume in volumes] { if (volume_in(volume) ne 'kdop14') { shown = shown.' '.volume } }
-here(scene, volume) = is('scene', scene) && is('volume', volume)
-kib = "(column('bytes') / 1024)"
+do for [volume in volumes] { if (volume ne 'kdop14') { shown = shown.' '.volume } }
+here(scene, volume) = @drawn && is('scene', scene) && is('volume', volume)
+kib = "(column('nodes') * (bytes_of(strcol('volume')) + 0) / 1024)"
 time = "(1e6 * column('whole_s'))"
 # The fastest trees of spheres and of boxes: time and storage of the former over that of the latter
 array best_time[2]; array best_size[2]
@@ -19,7 +24,7 @@ x_low = 1e9; x_high = 0; y_low = 1e9; y_high = 0
 seen(x, y) = (x_low = least(x_low, x), x_high = most(x_high, x), y_low = least(y_low, y), y_high = most(y_high, y), 0)
 do for [scene in scenes] {
   best_time[1] = 1e9; best_time[2] = 1e9
-  stats data using (seen(@kib, @time), here(scene, 'sphere') ? better(1) : here(scene, 'aabb') ? better(2) : 0) nooutput
+  stats table using (!@drawn ? 0 : (seen(@kib, @time), here(scene, 'sphere') ? better(1) : here(scene, 'aabb') ? better(2) : 0)) nooutput
   if (best_time[1] < 1e9 && best_time[2] < 1e9) {
     time_least = least(time_least, best_time[1] / best_time[2]); time_most = most(time_most, best_time[1] / best_time[2])
     size_least = least(size_least, best_size[2] / best_size[1]); size_most = most(size_most, best_size[2] / best_size[1])
@@ -27,12 +32,11 @@ do for [scene in scenes] {
 }
 eval headline(time_most > 0 ? sprintf('Boxes take %.1f times the storage of spheres, whose best trees take %.1f to %.1f times as long', size_most, \
   time_least, time_most) : 'Time of a frame and storage of the tree', \
-  sprintf('%d particles, every tree rebuilt in every frame; each line from large leaves to small ones; beside it the bytes of a node', \
-  value('particles_'.word(scenes, 1))))
+  '16384 particles, every tree rebuilt in every frame; each line from large leaves to small ones; beside it the bytes of a node')
 # Names with the bytes of a node, in the order of the right ends
 eval forget
 do for [k = 1:words(shown)] {
-  stats data using (last(k, here(word(scenes, words(scenes)), volume_in(word(shown, k))), @kib, @time)) nooutput
+  stats table using (@drawn ? last(k, here(word(scenes, words(scenes)), word(shown, k)), @kib, @time) : 0) nooutput
   if (end_x[k] == end_x[k]) { end_x[k] = x_high * 1.2 }
 }
 eval spread(gap_of(y_low / 1.3, y_high * 1.3, 285))
@@ -48,11 +52,11 @@ do for [s = 1:words(scenes)] {
   scene = word(scenes, s)
   set title readable(scene) offset 0,-0.3
   do for [k = 1:(s == words(scenes) ? words(shown) : 0)] {
-    eval label_at(k, sprintf('%s, %s bytes', title_of(volume_in(word(shown, k))), bytes_in(word(shown, k))), \
-      colour(volume_in(word(shown, k))), 'left')
+    eval label_at(k, sprintf('%s, %s bytes', title_of(word(shown, k)), bytes_of(word(shown, k))), \
+      colour(word(shown, k)), 'left')
   }
-  plot for [volume in shown] data using (only(here(scene, volume_in(volume)), @kib)):@time with linespoints lw 1.5 pt 7 ps 0.7 \
-    lc rgb colour(volume_in(volume))
+  plot for [volume in shown] table using (only(here(scene, volume), @kib)):@time with linespoints lw 1.5 pt 7 ps 0.7 \
+    lc rgb colour(volume)
   eval no_headline
   set ylabel ''
   set format y ''

@@ -1,4 +1,7 @@
-# Spheres against boxes: build, search and frame, on linear axes from zero. The published values are in the page's text.
+# caption: One build and one search, with the scene's leaves of 7 x 7 cells and with a tree down to single cells; the CPU
+# caption: time of all steps of a frame, without drawing; and the frame rate. Medians over runs, with quartiles. Hatched:
+# caption: the bounds of a level are in the picture, as the original drew its spheres.
+# The axes are linear from zero. The published values are in the page's text.
 # data: test (1 execution of a frame, 2 frame rate, 6 build and search), position, volume, drawn, median, lower, upper,
 # and the figure as text
 eval paper(460)

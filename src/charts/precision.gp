@@ -1,3 +1,5 @@
+# caption: Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) over a ladder of
+# caption: steps: left is more exact, down is cheaper. The order is fitted to the finest points.
 # A work-precision diagram: a panel for each family of methods, a line for each method, a point for each step.
 # scene; order_METHOD where one was found
 eval paper(900)

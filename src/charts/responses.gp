@@ -1,3 +1,5 @@
+# caption: A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height to
+# caption: which it bounces; and how fast a sheet drifts that should stick to a slope.
 # Errors of the responses against the step: impact, bounce, friction; and against what they cost.
 # responses: their names
 eval paper(620)

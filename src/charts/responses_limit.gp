@@ -1,4 +1,5 @@
-# The step limit of penalties against their stiffness, predicted and measured.
+# caption: The longest step at which a penalty does not throw off a sheet that rests on it, against its stiffness: lines
+# caption: as predicted, points as measured.
 eval paper(430)
 eval frame(70, 160, 55, 70)
 set logscale xy

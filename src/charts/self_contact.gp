@@ -1,3 +1,6 @@
+# caption: A sheet that is thrown at another, with impact zones or rejected steps as the fail-safe, and with none: the
+# caption: steps that end with cloth across cloth, the error of the momentum that is passed on, and the tests of pairs,
+# caption: against the step. Rings mark runs in which the search gave up.
 # What response and fail-safe leave, against the step: a column of panels for each fail-safe, and for none.
 # thicknesses: of the sheets [mm]
 eval paper(680)

@@ -1,4 +1,5 @@
-# What a second Newton step buys: error against cost.
+# caption: Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s
+# caption: and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.
 eval paper(430)
 eval frame(60, 40, 55, 70)
 set logscale xy

@@ -1,4 +1,5 @@
-# How the time of an implicit step grows with the cloth.
+# caption: CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls
+# caption: flat, and once it swings in folds.
 eval paper(430)
 eval frame(70, 190, 55, 70)
 set logscale xy

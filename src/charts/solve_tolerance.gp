@@ -1,4 +1,5 @@
-# What a solve may leave: error by its tolerance, beside the error of the step.
+# caption: How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the
+# caption: tolerance of the solves; dashed, the error of the step itself.
 eval paper(430)
 eval frame(65, 190, 55, 70)
 set logscale xy

@@ -1,4 +1,6 @@
-# Steps that stayed bounded and steps that failed, against stiffness and damping.
+# caption: Steps that stayed bounded and steps that failed, over stiffness and damping. The line is the longest step
+# caption: that is predicted: every dot should lie below it, every cross above it. Where the method has no linear limit
+# caption: there is no line, and a cross is a failure that no linear theory predicts.
 # method, side: whose trials; trials, against: how many there are, those close to a limit left out, and contradict it
 # limited: 1 if the method has a linear step limit; stiffness, damping: 1 if they were swept
 eval paper(limited ? 620 : 420)

@@ -1,3 +1,5 @@
+# caption: A sheet that falls and swings, hung by two corners, by each method and step: held within 1 % of the converged
+# caption: motion and its stretch, off by more, stretched by more or to ruin, or blown up.
 # A strip a method, a cell a step: held, off, soft, ruined or blown up, with the error or the additional stretch in per cent.
 # methods: from top to bottom
 eval paper(500)

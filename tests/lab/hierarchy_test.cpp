@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,7 +11,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
-#include "lab/hierarchy/hierarchy.h"
 #include "lab/hierarchy/hierarchy_run.h"
 #include "lab/lab_run.h"
 #include "support/cloths.h"
@@ -24,11 +22,12 @@ using test::LabFolder;
 using test::LabRun;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
+using ::testing::Not;
 
 /// A ball that moves along a rumpled cloth and always touches it.
 RecordedMotion rumpled_motion(const Grid& grid, int frames) {
     std::mt19937 random(5);
-    RecordedMotion motion{.scene = "rumpled", .grid = grid, .interval = 0.01, .x = {}, .balls = {}};
+    RecordedMotion motion{.scene = "rumpled", .grid = grid, .interval = 0.01};
     const Points from = test::random_cloth(grid, random), to = test::random_cloth(grid, random);
     for (int k = 0; k < frames; ++k) {
         const Real part = static_cast<Real>(k) / static_cast<Real>(10 * frames);
@@ -48,8 +47,7 @@ TEST(Tightness, IsOneForTheSmallestVolumesOfTheirKind) {
           {.volume = VolumeKind::Obb, .leaf_cells = 2}}) {
         const auto hierarchy = make_broad_phase(smallest, motion.grid);
         hierarchy->build(motion.x[0]);
-        std::vector<Tightness> levels;
-        add_tightness(*hierarchy, motion.grid, motion.x[0], levels);
+        const std::vector<Tightness> levels = tightness_of(*hierarchy, motion.grid, motion.x[0]);
         ASSERT_EQ(levels.size(), static_cast<std::size_t>(hierarchy->levels()));
         for (const Tightness& level : levels) EXPECT_NEAR(level.mean(), 1, 1e-9);
     }
@@ -66,10 +64,9 @@ TEST(Tightness, TellsByHowMuchNodesAreTooLarge) {
     const RecordedMotion motion = rumpled_motion({13, 9}, 2);
     ClothQuadtree<BoundingSphere> swollen(motion.grid, {.leaf_cells = 2}, {.patch = fit_swollen_sphere});
     swollen.build(motion.x[0]);
-    std::vector<Tightness> levels;
-    add_tightness(swollen, motion.grid, motion.x[0], levels);
-    EXPECT_NEAR(over_levels(levels).mean(), 1.03, 1e-9);
-    EXPECT_EQ(over_levels(levels).nodes, static_cast<std::int64_t>(swollen.nodes().size()));
+    const Tightness of_swollen = over_levels(tightness_of(swollen, motion.grid, motion.x[0]));
+    EXPECT_NEAR(of_swollen.mean(), 1.03, 1e-9);
+    EXPECT_EQ(of_swollen.nodes, static_cast<std::int64_t>(swollen.nodes().size()));
 
     // What a held tree is grown by counts: here half the size of its leaves
     const auto held =
@@ -79,9 +76,8 @@ TEST(Tightness, TellsByHowMuchNodesAreTooLarge) {
     shifted.col(0).array() += Real(0.1);
     held->build(shifted);
     const Real half_width = (shifted.colwise().maxCoeff() - shifted.colwise().minCoeff()).mean() / 2;
-    levels.clear();
-    add_tightness(*held, motion.grid, shifted, levels);
-    EXPECT_NEAR(over_levels(levels).mean(), 1 + 0.1 / static_cast<double>(half_width), 1e-6);
+    const Tightness of_held = over_levels(tightness_of(*held, motion.grid, shifted));
+    EXPECT_NEAR(of_held.mean(), 1 + 0.1 / static_cast<double>(half_width), 1e-6);
 }
 
 /// The planted fault: every node too small by half.
@@ -107,7 +103,9 @@ TEST(HierarchyRun, EndsWhereAQueryDisagreesWithBruteForce) {
 }
 
 TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
-    const RecordedMotion motion = record_motion({.scene = "drop", .from = 0.1, .interval = 0.01, .frames = 3});
+    Motions motions;
+    MotionWanted wanted{.scene = "drop", .from = 0.1, .interval = 0.01, .frames = 3};
+    const RecordedMotion motion = motions.find(wanted);
     ASSERT_EQ(motion.x.size(), 3u);
     ASSERT_EQ(motion.balls.size(), 3u);
     EXPECT_NEAR(motion.interval, 0.01, 2e-4) << "a whole number of steps";
@@ -124,32 +122,14 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     EXPECT_NE(motion.x[2], simulation.cloths()[0].state.x);
     EXPECT_LT((motion.x[2] - simulation.cloths()[0].state.x).cwiseAbs().maxCoeff(), 1e-3);
 
-    const RecordedMotion finer = resampled(motion, {59, 59});
+    wanted.side = 59;
+    const RecordedMotion finer = motions.find(wanted);
     for (int j = 0; j < 30; ++j) {
         for (int i = 0; i < 30; ++i) {
             const int coarse = motion.grid.particle(i, j), fine = finer.grid.particle(2 * i, 2 * j);
             EXPECT_LT((motion.x[2].row(coarse) - finer.x[2].row(fine)).norm(), 1e-12);
         }
     }
-}
-
-TEST(Growths, AreThoseOfTheLargerSizes) {
-    Rows rows;
-    for (const double particles : {256., 1024., 4096., 16384., 65536.}) {
-        // Flat below 4096 particles, then as n and as the square root of n
-        const double build = 1e-9 * std::max(particles, 4096.), query = 1e-8 * std::sqrt(std::max(particles, 4096.));
-        rows.push_back({{"volume", "aabb"},
-                        {"update", "merge"},
-                        {"particles", particles},
-                        {"build_s", build},
-                        {"query_s", query},
-                        {"exact_s", query}});
-    }
-    const std::vector<Growth> found = growths(rows);
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_NEAR(found[0].build, 1, 1e-9);
-    EXPECT_NEAR(found[0].search, 0.5, 1e-9);
-    EXPECT_TRUE(growths({rows[4]}).empty()) << "one size tells nothing";
 }
 
 TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
@@ -174,6 +154,9 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));
+    const std::string page = folder.read("out/index.html");
+    EXPECT_THAT(page, HasSubstr("hierarchy_spheres.svg"));
+    EXPECT_THAT(page, Not(HasSubstr("hierarchy_storage.svg"))) << "nothing of it is in the share";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 TEST(ChartValues, AreFiniteNumbersAndWordsAndNothingThatGnuplotCouldRun) {
     const auto told = [](const std::string& name, const Chart::Value& value) {
-        return assignments_of({.name = "x", .caption = "", .values = {{name, value}}});
+        return assignments_of({.name = "x", .values = {{name, value}}});
     };
     EXPECT_EQ(told("scenes", "drop two_corners"), "scenes = 'drop two_corners'\n");
     EXPECT_EQ(told("builds", "obb:merge:-0.5 a:b:1e+06"), "builds = 'obb:merge:-0.5 a:b:1e+06'\n");

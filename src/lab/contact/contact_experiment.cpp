@@ -84,12 +84,7 @@ ExperimentCases contact_cases(bool quick) {
 std::vector<Chart> contact_charts(const Rows& rows) {
     const auto shown = words_of(rows, [](const Row& row) { return row.word("search") + "." + row.word("tests"); });
     const auto speeds = words_of(rows, [](const Row& row) { return real_text(row.number("speed_m_per_s")); });
-    return {{"contact",
-             "Contacts that the reference has within a step and a run has not found, against the travel of the ball in "
-             "a step, and the deepest that the response leaves the ball in the cloth, against CPU time: the longest "
-             "steps are on the left there. A ball that has gone through counts with its radius. The reference tests "
-             "every triangle with a continuous search, at a step a hundred times smaller.",
-             {{"searches", in_words(shown)}, {"speeds", in_words(speeds)}}}};
+    return {{"contact", {{"searches", in_words(shown)}, {"speeds", in_words(speeds)}}}};
 }
 
 }  // namespace

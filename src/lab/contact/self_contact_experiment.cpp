@@ -237,12 +237,7 @@ ExperimentCases self_contact_cases(bool quick) {
 
 std::vector<Chart> self_contact_charts(const Rows& rows) {
     const auto shown = words_of(rows, [](const Row& row) { return real_text(1e3 * row.number("thickness_m"), 4); });
-    return {{"self_contact",
-             "A sheet that is thrown at another, with impact zones or rejected steps as the fail-safe, and with none: "
-             "the steps that end with cloth across cloth, the error of the momentum that is passed on, and the tests "
-             "of pairs, against the step. Rings mark runs in which "
-             "the search gave up.",
-             {{"thicknesses", in_words(shown)}}}};
+    return {{"self_contact", {{"thicknesses", in_words(shown)}}}};
 }
 
 }  // namespace

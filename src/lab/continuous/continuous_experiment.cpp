@@ -211,17 +211,11 @@ ExperimentCases time_cases(bool quick) {
 }
 
 std::vector<Chart> miss_charts(const Rows& rows) {
-    return {{"continuous_misses",
-             "The part of the shots that pass a target unseen, against the diameters that the ball moves in a step: by "
-             "discrete detection, beside what is predicted for it, and by continuous detection.",
-             {{"targets", in_words(words_of(rows, "target"))}}}};
+    return {{"continuous_misses", {{"targets", in_words(words_of(rows, "target"))}}}};
 }
 
 std::vector<Chart> time_charts(const Rows& rows) {
-    return {{"continuous_time",
-             "CPU time of the build and of the search, query and exact test, at the positions after a step and over "
-             "all of it: medians with quartiles.",
-             {{"detections", in_words(words_of(rows, "detection"))}}}};
+    return {{"continuous_time", {{"detections", in_words(words_of(rows, "detection"))}}}};
 }
 
 }  // namespace

@@ -43,6 +43,16 @@ std::string range_of(const Experiment& experiment, const std::string& column, co
 
 }  // namespace
 
+ChartsOfRows charts_by(const char* column, const char* script) {
+    return [column, script](const Rows& rows) {
+        std::vector<Chart> charts;
+        for (const std::string& word : words_of(rows, column)) {
+            charts.push_back({.name = script + ("_" + word), .values = {{column, word}}, .script = script});
+        }
+        return charts;
+    };
+}
+
 ExperimentCases Experiment::cases(bool quick) const {
     ExperimentCases all;
     for (const ExperimentPart& part : parts) std::ranges::move(part.cases(quick), std::back_inserter(all));

@@ -16,12 +16,23 @@ struct Chart {
     /// A number, or words. No other text becomes part of a gnuplot program.
     using Value = std::variant<double, std::string>;
 
-    std::string name;                     ///< of the files, without what follows the dot: letters, digits and '_'
-    std::string caption;                  ///< one sentence or two on what it shows, under the picture
-    std::map<std::string, Value> values;  ///< variables of the script; `table` and `name` are always there
-    std::string data = {};                ///< what more it reads, from the file in the variable `data`
-    std::string script = {};              ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string name;                          ///< of the files, without what follows the dot: letters, digits and '_'
+    std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
+    std::string data = {};                     ///< what more it reads, from the file in the variable `data`
+    std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string caption = {};                  ///< under the picture, after what the script's head says of it
 };
+
+/// What is drawn of some rows of a table.
+using ChartsOfRows = std::function<std::vector<Chart>(const Rows& rows)>;
+
+/// Some charts, whatever the rows are. A script that finds nothing to draw makes no picture.
+inline ChartsOfRows charts_of(std::vector<Chart> charts) {
+    return [charts = std::move(charts)](const Rows&) { return charts; };
+}
+
+/// A chart SCRIPT_WORD for each word that rows have in a column, which is the script's variable of that name.
+ChartsOfRows charts_by(const char* column, const char* script);
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
@@ -31,7 +42,7 @@ using ExperimentCases = std::vector<ExperimentCase>;
 struct ExperimentPart {
     std::string name;  ///< of its rows in the column `part`; empty: they are all
     std::function<ExperimentCases(bool quick)> cases;
-    std::function<std::vector<Chart>(const Rows& rows)> charts;  ///< {}: none
+    ChartsOfRows charts;  ///< {}: none
 };
 
 /// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <sstream>
 
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
@@ -17,18 +17,16 @@
 namespace drape {
 namespace {
 
-/// Whether a text has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
-bool is_plain(const std::string& text, std::string_view others) {
-    return std::ranges::all_of(text, [others](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               others.find(c) != std::string_view::npos;
-    });
+/// A text that has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
+std::string checked(const std::string& text, const std::string& others) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_" + others;
+    if (text.find_first_not_of(plain) == std::string::npos) return text;
+    throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
 }
 
-std::string checked(const std::string& text, std::string_view others = "_") {
-    if (text.empty() && others == "_") throw RunError("a chart's value has no name");
-    if (!is_plain(text, others)) throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
-    return text;
+std::string checked_name(const std::string& text) {
+    if (text.empty()) throw RunError("a chart's value has no name");
+    return checked(text, "");
 }
 
 std::string text_of(double number) {
@@ -36,46 +34,27 @@ std::string text_of(double number) {
     return real_text(number);
 }
 
-std::string text_of(const std::string& words) { return "'" + checked(words, "_ :.+-") + "'"; }
+std::string text_of(const std::string& words) { return "'" + checked(words, " :.+-") + "'"; }
 
-void add_script(OutputFile& file, const std::string& name) {
+std::string script_text(const std::string& name) {
     std::ifstream script(find_resource("charts/" + name + ".gp"));
-    file.stream() << '\n' << script.rdbuf();
+    std::ostringstream text;
+    text << script.rdbuf();
     if (!script) throw RunError("charts/" + name + ".gp cannot be read");
+    return text.str();
 }
 
-/// @return false if there is no gnuplot
-bool draw_charts(const std::vector<Chart>& charts, const std::filesystem::path& table) {
-    // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
-    const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
-    for (Chart chart : charts) {
-        const std::string name = checked(chart.name), script = name + ".gnuplot";
-        chart.values.insert({{"name", name}, {"table", table.filename().string()}});
-        if (!chart.data.empty()) {
-            chart.values["data"] = name + "_data.csv";
-            OutputFile data((folder / (name + "_data.csv")).string());
-            data.stream() << chart.data;
-            data.close();
-        }
-        OutputFile file((folder / script).string());
-        file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
-                      << assignments_of(chart);
-        add_script(file, "common");
-        add_script(file, chart.script.empty() ? name : chart.script);
-        file.stream() << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
-        file.close();
-        const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
-        if (!code) return false;
-        if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
+/// What the head of a script says that its chart shows, in lines that begin with a mark; then more.
+std::string caption_of(const std::string& script, const std::string& more) {
+    constexpr std::string_view mark = "# caption: ";
+    std::istringstream text(script);
+    std::vector<std::string> parts;
+    for (std::string line; std::getline(text, line);) {
+        if (line.starts_with(mark)) parts.push_back(line.substr(mark.size()));
     }
-    return true;
+    if (!more.empty()) parts.push_back(more);
+    return in_words(parts);
 }
-
-constexpr const char* style =
-    "body{font:16px/1.5 'DejaVu Sans',sans-serif;color:#222;max-width:72rem;margin:2rem auto;padding:0 1rem}"
-    "h1{font-size:1.5rem}figure{margin:2.5rem 0}img{max-width:100%;height:auto;border:1px solid #ddd}"
-    "figcaption{max-width:50rem;color:#444}pre{overflow-x:auto;background:#f6f6f6;padding:1rem;font-size:.85rem}"
-    "dl{display:grid;grid-template-columns:max-content auto;gap:.1rem 1.5rem;font-size:.85rem}dd{margin:0}";
 
 /// Text as a page shows it.
 std::string escaped(const std::string& text) {
@@ -85,17 +64,55 @@ std::string escaped(const std::string& text) {
     return shown;
 }
 
-/// Question, charts with captions, what was found, and where it is from.
-/// @param charts that were drawn
-void write_report_page(const Experiment& experiment, const TableHead& head, const std::vector<Chart>& charts,
-                       const std::string& summary, const std::filesystem::path& table) {
-    std::string figures, lines;
-    for (const Chart& chart : charts) {
+/// The exit code of a script that finds nothing to draw in its table.
+constexpr int nothing_to_draw = 3;
+
+/// @return what the page has of the charts that were drawn
+std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::path& table) {
+    // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
+    const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
+    std::string figures;
+    for (Chart chart : charts) {
+        const std::string name = checked_name(chart.name), script = name + ".gnuplot";
+        chart.values.insert({{"name", name}, {"table", table.filename().string()}});
+        if (!chart.data.empty()) {
+            chart.values["data"] = name + "_data.csv";
+            OutputFile data((folder / (name + "_data.csv")).string());
+            data.stream() << chart.data;
+            data.close();
+        }
+        const std::string own = script_text(chart.script.empty() ? name : chart.script);
+        OutputFile file((folder / script).string());
+        file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
+                      << assignments_of(chart) << '\n'
+                      << script_text("common") << '\n'
+                      << own << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
+        file.close();
+        const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
+        if (!code) {
+            std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
+            return {};
+        }
+        if (*code == nothing_to_draw) continue;
+        if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
         figures += fmt::format(
             "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
             "</figure>\n",
-            escaped(chart.name), escaped(chart.caption));
+            name, escaped(caption_of(own, chart.caption)));
     }
+    return figures;
+}
+
+constexpr const char* style =
+    "body{font:16px/1.5 'DejaVu Sans',sans-serif;color:#222;max-width:72rem;margin:2rem auto;padding:0 1rem}"
+    "h1{font-size:1.5rem}figure{margin:2.5rem 0}img{max-width:100%;height:auto;border:1px solid #ddd}"
+    "figcaption{max-width:50rem;color:#444}pre{overflow-x:auto;background:#f6f6f6;padding:1rem;font-size:.85rem}"
+    "dl{display:grid;grid-template-columns:max-content auto;gap:.1rem 1.5rem;font-size:.85rem}dd{margin:0}";
+
+/// Question, charts with captions, what was found, and where it is from.
+void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
+                       const std::string& summary, const std::filesystem::path& table) {
+    std::string lines;
     for (const auto& [key, value] : head) {
         lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
     }
@@ -126,7 +143,7 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
 std::string assignments_of(const Chart& chart) {
     std::string text;
     for (const auto& [name, value] : chart.values) {
-        text += checked(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
+        text += checked_name(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
     }
     return text;
 }
@@ -135,12 +152,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    auto charts = experiment.charts(rows);
-    if (!draw_charts(charts, file)) {
-        std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
-        charts.clear();
-    }
-    write_report_page(experiment, table.head, charts, summary, file);
+    write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file), summary, file);
 }
 
 }  // namespace drape

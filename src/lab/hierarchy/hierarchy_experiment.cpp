@@ -1,222 +1,327 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
+#include <utility>
 
-#include "drape/base/exact_math.h"
+#include "drape/base/input_error.h"
 #include "drape/bounds/node_view.h"
-#include "hierarchy.h"
+#include "drape/bounds/quadtree_nodes.h"
+#include "drape/scene/scene.h"
+#include "drape/sim/simulation.h"
+#include "hierarchy_run.h"
 #include "lab/experiments.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
 
-using Charts = std::vector<Chart>;
+/// What cases record is kept for the others of the same program.
+using SharedMotions = std::shared_ptr<Motions>;
 
-/// Those of some volumes that rows have.
-std::vector<std::string> volumes_in(const Rows& rows, std::vector<std::string> volumes) {
-    std::erase_if(volumes, [&rows](const std::string& volume) {
-        return std::ranges::find(rows, volume, word_of("volume")) == rows.end();
-    });
-    return volumes;
+using Hierarchies = std::vector<BroadPhaseParameters>;
+
+constexpr double frame_time = 1.0 / 60;  // at about the rate of a screen [s]
+
+/// A scene whose motion is recorded, from shortly before cloth and ball meet.
+struct HierarchyScene {
+    const char* name;
+    double from;  ///< [s]
+};
+constexpr HierarchyScene hierarchy_scenes[] = {{"drop", 0.1}, {"two_corners", 0.2}, {"curtain", 0.8}};
+
+std::vector<MotionWanted> scene_motions(int frames) {
+    std::vector<MotionWanted> wanted;
+    for (const HierarchyScene& scene : hierarchy_scenes) wanted.push_back({scene.name, scene.from, frame_time, frames});
+    return wanted;
 }
 
-/// Name of the volume, with the fit of a sphere that is not by the centroid.
-std::string variant_of(const Row& row) {
-    const bool plain = row.word("volume") != "sphere" || row.word("sphere_fit") == name_of(SphereFit::Centroid);
-    return plain ? row.word("volume") : row.word("volume") + " " + row.word("sphere_fit");
-}
+/// Particles along a side of the larger cloth on which time is set against accuracy; the charts' scripts know it, too.
+constexpr int resampled_side = 128;
 
-bool is_resampled(const Row& row) { return row.number("particles") == resampled_particles; }
+/// What every part with several volumes has: spheres about centroids, as the original has them, and one of each other
+/// family.
+constexpr VolumeKind volume_families[] = {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb};
 
-/// Adds a chart with a panel for each scene, if there are any rows.
-void add_scenes(Charts& charts, Chart chart, const Rows& rows) {
-    if (rows.empty()) return;
-    chart.values["scenes"] = in_words(words_of(rows, "scene"));
-    chart.values["updates"] = in_words(words_of(rows, "update"));
-    for (const Row& row : rows) chart.values["particles_" + row.word("scene")] = row.number("particles");
-    charts.push_back(std::move(chart));
-}
-
-/// Of the fits of spheres, that by the centroid.
-void add_fits(Charts& charts, Rows rows, bool resampled) {
-    std::vector<std::string> drawn = names_in(volume_families, name_of<VolumeKind>);
-    drawn.emplace_back("brute");
-    std::erase_if(rows, [&](const Row& row) {
-        return is_resampled(row) != resampled || std::ranges::count(drawn, variant_of(row)) == 0;
-    });
-    std::vector<std::string> volumes = volumes_in(rows, drawn);
-    const bool brute = std::erase(volumes, "brute") > 0;
-    add_scenes(
-        charts,
-        {resampled ? "hierarchy_fit_128" : "hierarchy_fit",
-         "CPU time of build, query and exact test of a frame against the cells that are tested in vain, for each "
-         "cell that touches the ball. A line joins the leaf sizes of one volume, rebuilt, or merged where that is the "
-         "fastest; the nearer to the lower left, the better.",
-         {{"resampled", resampled ? 1. : 0.}, {"brute", brute ? 1. : 0.}, {"volumes", in_words(volumes)}},
-         {},
-         "hierarchy_fit"},
-        rows);
-}
-
-/// The size of a node's volume, 0 for what is none.
-std::size_t bytes_of_a_node(const std::string& volume) {
-    const auto kind = value_named<VolumeKind>(volume);
-    if (!kind || *kind == VolumeKind::Brute) return 0;
-    return with_volume(*kind, []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); });
-}
-
-/// What the volumes of a tree take, beside its time a frame: larger cloth, every leaf size, rebuilt.
-void add_storage(Charts& charts, const Rows& rows) {
-    std::string data = "scene,volume,bytes,whole_s\n";
-    Rows drawn;
-    for (const Row& row : rows) {
-        const std::string volume = row.word("volume");
-        const std::size_t bytes = bytes_of_a_node(volume);
-        const bool wanted =
-            is_resampled(row) && variant_of(row) == volume && row.word("update") == "rebuild" && bytes > 0;
-        if (!wanted) continue;
-        data += fmt::format("{},{},{:.0f},{:.8g}\n", row.word("scene"), volume,
-                            row.number("nodes") * static_cast<double>(bytes), row.number("whole_s"));
-        drawn.push_back(row);
-    }
-    std::vector<std::string> bytes;
-    for (const std::string& volume : words_of(drawn, "volume")) {
-        bytes.push_back(fmt::format("{}:{}", volume, bytes_of_a_node(volume)));
-    }
-    add_scenes(charts,
-               {"hierarchy_storage",
-                "CPU time of build, query and exact test of a frame against the bytes of the tree's volumes. A line "
-                "joins the leaf sizes of one volume, each rebuilt every frame; beside it the bytes a node.",
-                {{"volumes", in_words(bytes)}},
-                data},
-               drawn);
-}
-
-void add_spheres(Charts& charts, Rows rows) {
-    std::erase_if(rows, [](const Row& row) {
-        return is_resampled(row) || row.word("volume") != "sphere" || row.number("leaf_cells") != 4 ||
-               (row.word("update") != "rebuild" && row.word("update") != "merge");
-    });
-    add_scenes(charts,
-               {"hierarchy_spheres",
-                "CPU time of a build against the mean tightness of its spheres. Rebuilding fits every node to its "
-                "particles; merging fits the leaves only and puts a sphere about the spheres below every other node.",
-                {{"fits", in_words(words_of(rows, "sphere_fit"))}}},
-               rows);
-}
-
-Charts fit_charts(const Rows& rows) {
-    Charts charts;
-    for (const bool resampled : {false, true}) add_fits(charts, rows, resampled);
-    add_storage(charts, rows);
-    add_spheres(charts, rows);
-    return charts;
-}
-
-Charts level_charts(const Rows& rows) {
-    Charts charts;
-    for (const std::string& scene : words_of(rows, "scene")) {
-        charts.push_back(
-            {"hierarchy_level_" + scene,
-             "What a search knows that ends at a level: how loose the nodes there are, how many of them it "
-             "visits, how many cells it would test in vain for each that touches, and the CPU time it has "
-             "taken to get there.",
-             {{"scene", scene}},
-             {},
-             "hierarchy_level"});
-    }
-    return charts;
-}
-
-Charts missed_charts(const Rows& rows) {
-    Charts charts;
-    add_scenes(charts,
-               {"hierarchy_budget",
-                "How a search that ends early changes the simulated motion: the deepest penetration that is left, "
-                "nodes that were taken for contacts although nothing in them touches, and how far the cloth is at the "
-                "end from where the full search has it. At the right end of each line the search is full. Penetrations "
-                "of less than 0.01 mm are drawn as 0.01 mm.",
-                {}},
-               rows_with(rows, "volume", "sphere"));
-    return charts;
-}
-
-void add_break_even(Charts& charts, const std::string& scene, const Rows& rows) {
-    const std::vector<std::string> volumes = volumes_in(rows, {"sphere", "aabb"});
-    if (volumes.empty()) return;
-    // The interval next to the rate of a screen, or what is there in a share of the cases
-    const auto off = [](const Row& row) { return std::abs(row.number("interval_s") - 1.0 / 60); };
-    const double interval = std::ranges::min(rows, {}, off).number("interval_s");
-    charts.push_back(
-        {"hierarchy_break_even_" + scene,
-         "Left: CPU time of build, query and exact test of all frames so far, over that of rebuilding; "
-         "where a line crosses 1 is its break-even frame. Right: the same ratio after the last frame, over "
-         "the time that the cloth has had to move between frames, and how loose a tree is that is kept.",
-         {{"scene", scene},
-          {"volumes", in_words(volumes)},
-          {"updates", in_words(words_of(rows, "update"))},
-          {"interval", interval},
-          {"frames", std::ranges::max(rows, {}, number_of("frame")).number("frame")}},
-         {},
-         "hierarchy_break_even"});
-}
-
-Charts break_even_charts(const Rows& rows) {
-    Charts charts;
-    for (const std::string& scene : words_of(rows, "scene")) {
-        add_break_even(charts, scene, rows_with(rows, "scene", scene));
-    }
-    return charts;
-}
-
-Charts growth_charts(const Rows& rows) {
-    std::vector<std::string> builds, searches;
-    for (const Growth& growth : growths(rows)) {
-        if (growth.update != "rebuild" && growth.update != "merge") continue;
-        const std::string hierarchy = growth.volume + ":" + growth.update + ":";
-        searches.push_back(hierarchy + fmt::format("{:.2f}", growth.search));
-        if (growth.volume != "brute") builds.push_back(hierarchy + fmt::format("{:.2f}", growth.build));
-    }
-    if (searches.empty()) return {};
-    return {{"hierarchy_size",
-             "CPU time of a build and of a search, medians, on one motion under more and more "
-             "particles; the exponents are fitted to the larger half of the sizes.",
-             {{"builds", in_words(builds)}, {"searches", in_words(searches)}}}};
-}
-
-}  // namespace
-
-std::vector<Growth> growths(const Rows& rows) {
-    if (rows.empty()) return {};
-    const auto particles = number_of("particles");
-    const auto [least, most] = std::ranges::minmax(rows, {}, particles);
-    const double from = std::sqrt(particles(least) * particles(most)) * (1 - 1e-9);
-    Rows large = rows;
-    std::erase_if(large, [&](const Row& row) { return particles(row) < from; });
-    const auto hierarchy = [](const Row& row) { return std::pair(row.word("volume"), row.word("update")); };
-    std::vector<Growth> all;
-    for (const auto& [key, sizes] : groups_of(large, hierarchy)) {
-        std::set<double> logarithms;
-        std::vector<std::pair<double, double>> build, search;
-        for (const Row& row : sizes) {
-            logarithms.insert(natural_log(particles(row)));
-            // Brute force builds nothing: a time of zero is no power law
-            build.emplace_back(particles(row), std::max(row.number("build_s"), 1e-9));
-            search.emplace_back(particles(row), row.number("query_s") + row.number("exact_s"));
-        }
-        if (logarithms.size() < 2) continue;
-        all.push_back({key.first, key.second, fitted_exponent(build), fitted_exponent(search)});
+/// The first so many of the families, rebuilt, each alone.
+std::vector<Hierarchies> families(std::size_t count, int leaf_cells) {
+    std::vector<Hierarchies> all;
+    for (const VolumeKind family : std::span(volume_families).first(count)) {
+        all.push_back(Hierarchies{{.volume = family, .leaf_cells = leaf_cells}});
     }
     return all;
 }
+
+Hierarchies with_every_update(BroadPhaseParameters parameters) {
+    Hierarchies all;
+    for (const UpdateKind update : values_of<UpdateKind>()) {
+        parameters.update = update;
+        all.push_back(parameters);
+    }
+    return all;
+}
+
+/// A case for each motion and each list of hierarchies, which it measures there one after the other.
+/// @param add_rows(motion, parameters, rows) about one of them
+template <class AddRows>
+ExperimentCases cases_of(const SharedMotions& motions, const std::vector<MotionWanted>& wanted,
+                         const std::vector<Hierarchies>& lists, const AddRows& add_rows) {
+    const auto run = [=](const MotionWanted& one, const Hierarchies& hierarchies) {
+        const RecordedMotion motion = motions->find(one);
+        Rows rows;
+        for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
+        return rows;
+    };
+    return cases_over(run, wanted, lists);
+}
+
+/// A row about a hierarchy on some frames of a motion. The parts of the experiment share the columns.
+Row row_of(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
+           std::span<const FrameRun> frames) {
+    std::int64_t candidates = 0, touching = 0;
+    for (const FrameRun& frame : frames) candidates += frame.candidates, touching += frame.touching;
+    const double false_ones = static_cast<double>(candidates - touching), true_ones = static_cast<double>(touching);
+    Row row{{"part", part},
+            {"scene", motion.scene},
+            {"volume", parameters.volume},
+            {"update", parameters.update},
+            {"particles", motion.grid.particles()},
+            {"leaf_cells", parameters.leaf_cells},
+            {"interval_s", motion.interval},
+            {"nodes", mean_over(frames, &FrameRun::nodes)},
+            {"visited", mean_over(frames, &FrameRun::visited)},
+            {"candidates", mean_over(frames, &FrameRun::candidates)},
+            {"touching", mean_over(frames, &FrameRun::touching)},
+            {"false_per_true", touching > 0 ? false_ones / true_ones : no_number}};
+    if (parameters.volume == VolumeKind::Sphere) row.set("sphere_fit", parameters.sphere_fit);
+    return row;
+}
+
+/// Takes a hierarchy along a motion, and adds a row about it.
+HierarchyRun add_row(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
+                     const RunPlan& plan, Rows& rows) {
+    HierarchyRun run = follow(motion, *make_broad_phase(parameters, motion.grid), plan);
+    rows.push_back(row_of(part, motion, parameters, run.frames));
+    rows.back().set({{"build_s", quartiles_over(run.timed(), &FrameTimes::build)},
+                     {"query_s", quartiles_over(run.timed(), &FrameTimes::query)},
+                     {"exact_s", quartiles_over(run.timed(), &FrameTimes::exact)},
+                     {"whole_s", quartiles_over(run.timed(), &FrameTimes::whole)},
+                     {"tightness", over_levels(run.levels).mean()}});
+    return run;
+}
+
+/// Six frames of a motion.
+int some_frames(const RecordedMotion& motion) { return std::max(1, static_cast<int>(motion.x.size()) / 6); }
+
+/// Time of a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
+/// three scenes.
+ExperimentCases fits(bool quick, const SharedMotions& motions) {
+    using enum SphereFit;
+    using enum VolumeKind;
+    Hierarchies kinds;
+    for (const VolumeKind family : volume_families) kinds.push_back({.volume = family});
+    for (const SphereFit fit : {Ritter, Epos14, Welzl}) kinds.push_back({.sphere_fit = fit});
+    if (!quick) {
+        for (const SphereFit fit : {BoxCentre, Epos6, Epos26}) kinds.push_back({.sphere_fit = fit});
+        for (const VolumeKind kind : {Kdop6, Kdop14, Kdop26}) kinds.push_back({.volume = kind});
+    }
+    std::vector<Hierarchies> lists{Hierarchies{{.volume = Brute}}};
+    for (const BroadPhaseParameters& kind : kinds) {
+        for (BroadPhaseParameters parameters : with_every_update(kind)) {
+            Hierarchies& leaves = lists.emplace_back();
+            for (const int cells : quick ? std::vector{2, 4, 7} : std::vector{1, 2, 4, 7, 11, 15}) {
+                parameters.leaf_cells = cells;
+                leaves.push_back(parameters);
+            }
+        }
+    }
+    // As the scene has it, then with more particles and fewer frames, all of them with contact
+    std::vector<MotionWanted> wanted = scene_motions(quick ? 40 : 120);
+    for (MotionWanted finer : scene_motions(quick ? 8 : 30)) {
+        finer.from += 0.2;
+        finer.side = resampled_side;
+        wanted.push_back(finer);
+    }
+    return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
+        const RunPlan plan{.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)};
+        add_row("fit", motion, parameters, plan, rows);
+    });
+}
+
+/// The same level by level: what a search knows that ends at a level, and what it has cost. One search a level, each on
+/// a tree of its own: it ends there, and what it visited more than the one before it is the level's.
+ExperimentCases levels(bool quick, const SharedMotions& motions) {
+    std::vector<Hierarchies> lists = families(4, 1);
+    lists.push_back(Hierarchies{{.leaf_cells = 1, .sphere_fit = SphereFit::Welzl}});
+    lists.push_back(Hierarchies{{.update = UpdateKind::Merge, .leaf_cells = 1}});
+    const auto add_rows = [quick](const RecordedMotion& motion, BroadPhaseParameters parameters, Rows& rows) {
+        const auto tree = make_quadtree_nodes(motion.grid, parameters.leaf_cells);
+        const RunPlan plan{.repeats = quick ? 2 : 7, .tightness_every = some_frames(motion)};
+        double visited_above = 0;
+        for (int level = 0; level <= tree.back().level; ++level) {
+            parameters.search.level = level;
+            const HierarchyRun run = add_row("level", motion, parameters, plan, rows);
+            Row& row = rows.back();
+            const double visited = row.number("visited");
+            row.set({{"level", level},
+                     {"nodes", std::ranges::count(tree, level, &QuadtreeNode::level)},
+                     {"tightness", run.levels[static_cast<std::size_t>(level)].mean()},
+                     {"visited", visited - std::exchange(visited_above, visited)}});
+        }
+    };
+    return cases_of(motions, scene_motions(quick ? 40 : 120), lists, add_rows);
+}
+
+/// Simulates a scene with one hierarchy.
+/// @param x receives where the cloth is at the end
+Row simulate(const std::string& scene, const BroadPhaseParameters& parameters, double time, Points& x) {
+    Settings settings = load_scene(scene);
+    settings.contact.self = false;
+    settings.contact.volume = parameters.volume;
+    settings.contact.update = parameters.update;
+    settings.contact.leaf_cells = parameters.leaf_cells;
+    settings.contact.search_level = parameters.search.level;
+    settings.contact.search_tests = static_cast<int>(parameters.search.tests);
+    settings.solver.ledger = false;
+    Simulation simulation(scene, settings);
+    double missed_penetration = 0, false_contacts = 0;
+    const auto steps = std::llround(time / settings.solver.dt);
+    for (std::int64_t step = 0; step < steps; ++step) {
+        simulation.step();
+        missed_penetration = std::max(missed_penetration, simulation.report().missed_penetration);
+        false_contacts += static_cast<double>(simulation.report().false_contacts) / static_cast<double>(steps);
+    }
+    if (simulation.report().status != Status::Ok) throw RunError(scene + ": " + simulation.report().error);
+    x = simulation.cloths()[0].state.x;
+    return {{"missed_penetration_m", missed_penetration}, {"false_contacts", false_contacts}};
+}
+
+/// All limits of a search: the levels, then numbers of tests to as many as there are nodes.
+std::vector<SearchLimit> limits(const Grid& grid, int leaf_cells, bool quick) {
+    const auto tree = make_quadtree_nodes(grid, leaf_cells);
+    const auto nodes = static_cast<std::int64_t>(tree.size());
+    std::vector<SearchLimit> all;
+    for (int level = 0; level <= tree.back().level; ++level) all.push_back({.level = level});
+    const double step = quick ? 2.5 : 1.5;
+    for (double tests = 1; tests < static_cast<double>(nodes); tests = std::max(tests + 1, tests * step)) {
+        all.push_back({.tests = std::llround(tests)});
+    }
+    all.push_back({.tests = nodes});
+    return all;
+}
+
+/// What a search with a budget lets through and invents while the scene is simulated with it.
+ExperimentCases budgets(bool quick, const SharedMotions& motions) {
+    const auto add_rows = [quick](const RecordedMotion& motion, BroadPhaseParameters parameters, Rows& rows) {
+        // Long enough for the ball to be well in the cloth
+        const HierarchyScene& scene = *std::ranges::find(hierarchy_scenes, motion.scene, &HierarchyScene::name);
+        const double time = scene.from + (quick ? 0.4 : 1.0);
+        Points full, x;
+        simulate(motion.scene, parameters, time, full);
+        for (const SearchLimit& limit : limits(motion.grid, parameters.leaf_cells, quick)) {
+            parameters.search = limit;
+            add_row("budget", motion, parameters, {.repeats = quick ? 2 : 7}, rows);
+            Row& row = rows.back();
+            if (limit.tests > 0) row.set("tests", limit.tests);
+            if (limit.tests == 0) row.set("level", limit.level);
+            row.set(simulate(motion.scene, parameters, time, x));
+            row.set("distance_m", static_cast<double>((x - full).norm()) / std::sqrt(row.number("particles")));
+        }
+    };
+    return cases_of(motions, scene_motions(quick ? 40 : 120), families(quick ? 1 : 4, 4), add_rows);
+}
+
+/// The part of the particles that has moved farther than a distance since the frame before.
+double moved_part(const RecordedMotion& motion, std::size_t frame, Real distance) {
+    const auto moved = (motion.x[frame] - motion.x[frame - 1]).rowwise().norm().array();
+    return static_cast<double>((moved > distance).count()) / static_cast<double>(moved.size());
+}
+
+/// Between frames: from one step of the scene on, a number of steps [s].
+std::set<double> intervals(const HierarchyScene& scene, bool quick) {
+    const auto wanted =
+        quick ? std::vector{0.0, 1.6e-3, frame_time} : std::vector{0.0, 6e-4, 1.6e-3, 5e-3, frame_time, 0.05};
+    const double dt = load_scene(scene.name).solver.dt;
+    std::set<double> whole;
+    for (const double interval : wanted) whole.insert(std::max(std::round(interval / dt), 1.0) * dt);
+    return whole;
+}
+
+/// What the updates have cost in all, frame by frame, at several intervals between frames.
+ExperimentCases break_evens(bool quick, const SharedMotions& motions) {
+    const auto add_rows = [quick](const RecordedMotion& motion, const BroadPhaseParameters& family, Rows& rows) {
+        std::map<UpdateKind, std::vector<FrameRun>> runs;
+        for (const BroadPhaseParameters& parameters : with_every_update(family)) {
+            const RunPlan plan{.repeats = quick ? 5 : 15, .tightness_every = 5};
+            runs[parameters.update] = follow(motion, *make_broad_phase(parameters, motion.grid), plan).frames;
+        }
+        const auto cost = [](const FrameRun& frame) { return quartiles_over({&frame, 1}, &FrameTimes::whole).median; };
+        for (const BroadPhaseParameters& parameters : with_every_update(family)) {
+            double sum = 0, sum_of_rebuild = 0;
+            for (std::size_t k = 1; k < motion.x.size(); ++k) {
+                const FrameRun& frame = runs[parameters.update][k];
+                sum += cost(frame);
+                sum_of_rebuild += cost(runs[UpdateKind::Rebuild][k]);
+                rows.push_back(row_of("break_even", motion, parameters, {&frame, 1}));
+                rows.back().set({{"frame", k},
+                                 {"whole_s", cost(frame)},
+                                 {"cumulative_s", sum},
+                                 {"cumulative_s_over_rebuild_s", sum / sum_of_rebuild},
+                                 {"moved", moved_part(motion, k, runs[UpdateKind::Refit][k].slack)},
+                                 {"tightness", frame.tightness.mean()}});
+            }
+        }
+    };
+    ExperimentCases cases;
+    for (const HierarchyScene& scene : hierarchy_scenes) {
+        std::vector<MotionWanted> wanted;
+        // So many particles that the hierarchy is worth its while
+        for (const double interval : intervals(scene, quick)) {
+            wanted.push_back({scene.name, scene.from, interval, quick ? 31 : 61, 64});
+        }
+        for (const Hierarchies& family : families(quick ? 2 : 4, 4)) {
+            std::ranges::move(cases_of(motions, wanted, {family}, add_rows), std::back_inserter(cases));
+        }
+    }
+    return cases;
+}
+
+/// Cost against the number of particles, on a motion resampled.
+ExperimentCases sizes(bool quick, const SharedMotions& motions) {
+    std::vector<MotionWanted> wanted;
+    // Few frames, so that they can be held at any size: the ball is in the middle of the curtain
+    for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
+        wanted.push_back({"curtain", 1.2, frame_time, 5, side});
+    }
+    std::vector<Hierarchies> lists{Hierarchies{{.volume = VolumeKind::Brute}}};
+    for (const VolumeKind family : volume_families) lists.push_back(with_every_update({.volume = family}));
+    return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
+        add_row("size", motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
+    });
+}
+
+/// What a node's volume takes: "sphere 32 aabb 48 ... brute 0".
+std::string bytes_of_nodes() {
+    std::vector<std::string> words;
+    for (const VolumeKind kind : values_of<VolumeKind>()) {
+        const auto size = []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); };
+        words.emplace_back(name_of(kind));
+        words.push_back(std::to_string(kind == VolumeKind::Brute ? 0 : with_volume(kind, size)));
+    }
+    return in_words(words);
+}
+
+}  // namespace
 
 Experiment hierarchy_experiment() {
     const auto motions = std::make_shared<Motions>();
     const auto with_motions = [motions](const auto& cases) {
         return [motions, cases](bool quick) { return cases(quick, motions); };
     };
+    const std::vector<Chart> fit_charts{{.name = "hierarchy_fit"},
+                                        {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
+                                        {.name = "hierarchy_storage", .values = {{"bytes", bytes_of_nodes()}}},
+                                        {.name = "hierarchy_spheres"}};
     return {"hierarchy",
             "what does a tighter hierarchy cost, and what does it save?",
             8,
@@ -250,11 +355,11 @@ Experiment hierarchy_experiment() {
              number_column("distance_m").or_nan()},  // RMS of the particles from those of the full search, at the end
             {{"part", "scene", "particles", "volume"},
              {"whole_s", "false_per_true", "tightness", "missed_penetration_m", "cumulative_s_over_rebuild_s"}},
-            {{"fit", with_motions(hierarchy_fits), fit_charts},
-             {"level", with_motions(hierarchy_levels), level_charts},
-             {"budget", with_motions(hierarchy_budgets), missed_charts},
-             {"break_even", with_motions(hierarchy_break_evens), break_even_charts},
-             {"size", with_motions(hierarchy_sizes), growth_charts}}};
+            {{"fit", with_motions(fits), charts_of(fit_charts)},
+             {"level", with_motions(levels), charts_by("scene", "hierarchy_level")},
+             {"budget", with_motions(budgets), charts_of({{.name = "hierarchy_budget"}})},
+             {"break_even", with_motions(break_evens), charts_by("scene", "hierarchy_break_even")},
+             {"size", with_motions(sizes), charts_of({{.name = "hierarchy_size"}})}}};
 }
 
 }  // namespace drape

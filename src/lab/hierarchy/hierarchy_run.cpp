@@ -21,10 +21,7 @@ constexpr int queries_in_a_row = 8;
 /// What reading the clock twice costs [s].
 double clock_cost() {
     std::vector<double> costs(1001);
-    for (double& cost : costs) {
-        const double before = thread_cpu_time();
-        cost = thread_cpu_time() - before;
-    }
+    for (double& cost : costs) cost = cpu_time_of([] {});
     return quartiles_of(costs).median;
 }
 
@@ -36,39 +33,36 @@ public:
     }
 
     /// One frame, and whether brute force finds the same.
-    FrameCounts check(std::size_t frame) {
+    FrameRun check(std::size_t frame) {
         hierarchy_.build(motion_.x[frame]);
-        FrameCounts counts{.traversal = hierarchy_.query(motion_.balls[frame], found_)};
+        const TraversalStats stats = hierarchy_.query(motion_.balls[frame], found_);
         test(frame, found_.cells, triangles_);
         test(frame, all_cells_, expected_);
         std::ranges::sort(triangles_);
-        demand_no_invention(frame);
-        demand_none_missed(frame);
-        counts.candidates = counts.traversal.candidates;
-        for (const StoppedNode& node : found_.stopped) {
-            counts.candidates += static_cast<std::int64_t>(node.i1 - node.i0) * (node.j1 - node.j0);
-        }
+        demand_the_same(frame);
+        FrameRun run{.nodes = stats.nodes,
+                     .visited = stats.visited,
+                     .candidates = stats.candidates,
+                     .slack = hierarchy_.slack()};
+        for (const StoppedNode& node : found_.stopped) run.candidates += node.cells();
         for (std::size_t k = 0; k < expected_.size(); ++k) {
-            if (k == 0 || expected_[k] / 2 != expected_[k - 1] / 2) ++counts.touching;
+            if (k == 0 || expected_[k] / 2 != expected_[k - 1] / 2) ++run.touching;
         }
-        return counts;
+        return run;
     }
 
     FrameTimes time(std::size_t frame) {
-        FrameTimes times;
-        double last = thread_cpu_time();
-        const auto lap = [&](int runs) {
-            const double now = thread_cpu_time();
-            const double seconds = std::max(now - last - clock_cost_, 0.0) / runs;
-            last = thread_cpu_time();
-            return seconds;
+        const auto seconds = [this](int runs, const auto& work) {
+            const double all = cpu_time_of([&] {
+                for (int k = 0; k < runs; ++k) work();
+            });
+            return std::max(all - clock_cost_, 0.0) / runs;
         };
-        hierarchy_.build(motion_.x[frame]);
-        times.build = lap(1);
-        for (int k = 0; k < queries_in_a_row; ++k) hierarchy_.query(motion_.balls[frame], found_);
-        times.query = lap(queries_in_a_row);
-        for (int k = 0; k < queries_in_a_row; ++k) test(frame, found_.cells, triangles_);
-        times.exact = lap(queries_in_a_row);
+        FrameTimes times;
+        times.build = seconds(1, [&] { hierarchy_.build(motion_.x[frame]); });
+        times.query = seconds(queries_in_a_row, [&] { hierarchy_.query(motion_.balls[frame], found_); });
+        times.exact = seconds(queries_in_a_row, [&] { test(frame, found_.cells, triangles_); });
+        times.whole = times.build + times.query + times.exact;
         return times;
     }
 
@@ -78,31 +72,24 @@ private:
                                Kernels::Vector);
     }
 
-    [[noreturn]] void disagree(std::size_t frame, int triangle, const std::string& how) const {
-        throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle, how));
-    }
-
-    void demand_no_invention(std::size_t frame) const {
-        if (const auto twice = std::ranges::adjacent_find(triangles_); twice != triangles_.end()) {
-            disagree(frame, *twice, "was found twice");
-        }
-        if (!std::ranges::includes(expected_, triangles_)) {
-            disagree(frame, triangles_.front(), "or one after it was found, but brute force finds that it is free");
-        }
-    }
-
     /// Where the search has ended early, the nodes that it has not opened must hold what it has not found.
-    void demand_none_missed(std::size_t frame) const {
+    void demand_the_same(std::size_t frame) const {
+        const auto disagree = [&](int triangle, const char* how) {
+            throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle, how));
+        };
+        std::vector<int> invented, missed;
+        std::ranges::set_difference(triangles_, expected_, std::back_inserter(invented));
+        std::ranges::set_difference(expected_, triangles_, std::back_inserter(missed));
+        for (const int triangle : invented) {
+            const bool touches = std::ranges::binary_search(expected_, triangle);
+            disagree(triangle, touches ? "was found twice" : "was found, but brute force finds that it is free");
+        }
         const int columns = motion_.grid.cell_columns();
-        for (const int triangle : expected_) {
-            const int i = triangle / 2 % columns, j = triangle / 2 / columns;
-            const auto holds = [&](const StoppedNode& node) {
-                return i >= node.i0 && i < node.i1 && j >= node.j0 && j < node.j1;
-            };
-            if (std::ranges::binary_search(triangles_, triangle) || std::ranges::any_of(found_.stopped, holds)) {
-                continue;
-            }
-            disagree(frame, triangle, "touches the ball, and the search has missed it");
+        for (const int triangle : missed) {
+            const int cell = triangle / 2;
+            const auto holds = [&](const StoppedNode& node) { return node.holds(cell % columns, cell / columns); };
+            if (std::ranges::any_of(found_.stopped, holds)) continue;
+            disagree(triangle, "touches the ball, and the search has missed it");
         }
     }
 
@@ -116,8 +103,6 @@ private:
 
 }  // namespace
 
-RecordedMotion record_motion(const MotionWanted& wanted) { return record_motion(wanted, load_scene(wanted.scene)); }
-
 RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     settings.solver.sleep_speed = 0;
     settings.solver.ledger = false;
@@ -130,7 +115,7 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     const auto integrator = make_integrator(integrator_of(settings.solver), grid);
 
     const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / dt)), 1);
-    RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt, .x = {}, .balls = {}};
+    RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt};
     const auto first = static_cast<std::int64_t>(std::llround(wanted.from / dt));
     const std::int64_t last = first + static_cast<std::int64_t>(wanted.frames - 1) * steps_between;
     for (std::int64_t step = 0; step <= last; ++step) {
@@ -147,46 +132,44 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     return motion;
 }
 
-RecordedMotion resampled(const RecordedMotion& motion, const Grid& grid) {
-    RecordedMotion finer{
-        .scene = motion.scene, .grid = grid, .interval = motion.interval, .x = {}, .balls = motion.balls};
-    for (const Points& x : motion.x) finer.x.push_back(resampled(x, motion.grid, grid));
-    return finer;
-}
-
 RecordedMotion Motions::find(const MotionWanted& wanted) {
-    RecordedMotion& motion = recorded_[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
-    if (motion.x.empty()) motion = record_motion(wanted);
-    return wanted.side > 0 ? resampled(motion, {wanted.side, wanted.side}) : motion;
+    RecordedMotion& recorded = recorded_[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
+    if (recorded.x.empty()) recorded = record_motion(wanted, load_scene(wanted.scene));
+    RecordedMotion motion = recorded;
+    if (wanted.side == 0) return motion;
+    motion.grid = {wanted.side, wanted.side};
+    for (Points& x : motion.x) x = resampled(x, recorded.grid, motion.grid);
+    return motion;
 }
 
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan) {
     Follower follower(motion, hierarchy);
-    HierarchyRun run{.times = std::vector<std::vector<FrameTimes>>(motion.x.size()),
-                     .counts = {},
-                     .tightness = {},
-                     .frame_tightness = std::vector<Tightness>(motion.x.size()),
-                     .slack = {}};
+    HierarchyRun run{.frames = {}, .levels = std::vector<Tightness>(static_cast<std::size_t>(hierarchy.levels()))};
     for (std::size_t k = 0; k < motion.x.size(); ++k) {
-        run.counts.push_back(follower.check(k));
-        run.slack.push_back(hierarchy.slack());
+        FrameRun& frame = run.frames.emplace_back(follower.check(k));
         if (plan.tightness_every == 0 || k % static_cast<std::size_t>(plan.tightness_every) != 0) continue;
-        std::vector<Tightness> levels;
-        add_tightness(hierarchy, motion.grid, motion.x[k], levels);
-        run.frame_tightness[k] = over_levels(levels);
-        run.tightness.resize(levels.size());
-        for (std::size_t level = 0; level < levels.size(); ++level) run.tightness[level] += levels[level];
+        const std::vector<Tightness> levels = tightness_of(hierarchy, motion.grid, motion.x[k]);
+        frame.tightness = over_levels(levels);
+        for (std::size_t level = 0; level < levels.size(); ++level) run.levels[level] += levels[level];
     }
     for (int repeat = 0; repeat < plan.repeats; ++repeat) {
-        for (std::size_t k = 0; k < motion.x.size(); ++k) run.times[k].push_back(follower.time(k));
+        for (std::size_t k = 0; k < motion.x.size(); ++k) run.frames[k].times.push_back(follower.time(k));
     }
     return run;
 }
 
-double false_per_true(const std::vector<FrameCounts>& counts) {
-    std::int64_t candidates = 0, touching = 0;
-    for (const FrameCounts& frame : counts) candidates += frame.candidates, touching += frame.touching;
-    return touching > 0 ? static_cast<double>(candidates - touching) / static_cast<double>(touching) : no_number;
+Quartiles quartiles_over(std::span<const FrameRun> frames, double FrameTimes::*time) {
+    std::vector<double> times;
+    for (const FrameRun& frame : frames) {
+        for (const FrameTimes& one : frame.times) times.push_back(one.*time);
+    }
+    return quartiles_of(std::move(times));
+}
+
+double mean_over(std::span<const FrameRun> frames, std::int64_t FrameRun::*count) {
+    double sum = 0;
+    for (const FrameRun& frame : frames) sum += static_cast<double>(frame.*count);
+    return sum / static_cast<double>(frames.size());
 }
 
 }  // namespace drape

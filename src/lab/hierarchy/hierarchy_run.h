@@ -1,7 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -19,9 +19,9 @@ namespace drape {
 struct RecordedMotion {
     std::string scene;
     Grid grid;
-    double interval = 0;      ///< between frames [s]
-    std::vector<Points> x;    ///< a frame each [m]
-    std::vector<Ball> balls;  ///< a frame each, grown by the cloth's thickness
+    double interval = 0;           ///< between frames [s]
+    std::vector<Points> x = {};    ///< a frame each [m]
+    std::vector<Ball> balls = {};  ///< a frame each, grown by the cloth's thickness
 };
 
 /// Which frames of a scene are wanted.
@@ -30,23 +30,19 @@ struct MotionWanted {
     double from = 0;      ///< simulated time of the first frame [s]
     double interval = 0;  ///< from frame to frame [s]; the nearest whole number of the scene's steps, at least one
     int frames = 1;
-    int side = 0;  ///< particles along each side, to which it is resampled; 0: as the scene has them
+    int side = 0;  ///< particles along each side, to which `Motions` resample it; 0: as the scene has them
 };
 
-/// Simulates a scene and keeps frames of its first cloth and first ball, as they are in the scene.
+/// Simulates a scene and keeps frames of its first cloth and first ball, as they are under the settings.
 /// @pre the scene has a ball
 /// @throws RunError if the scene diverges on the way
-RecordedMotion record_motion(const MotionWanted& wanted);
-
-/// The same under other settings than the scene's own.
 RecordedMotion record_motion(const MotionWanted& wanted, Settings settings);
 
-/// The same surfaces under another number of particles, bilinearly between those that there are.
-RecordedMotion resampled(const RecordedMotion& motion, const Grid& grid);
-
-/// Keeps what was recorded, for whoever wants the same again.
+/// Keeps what was recorded under the scenes' own settings, for whoever wants the same again.
 class Motions {
 public:
+    /// @return the same surfaces under another number of particles, bilinearly between those that there are, if that is
+    ///         wanted
     RecordedMotion find(const MotionWanted& wanted);
 
 private:
@@ -61,15 +57,15 @@ struct Tightness {
     double sum = 0;  ///< of the ratios
     std::int64_t nodes = 0;
 
-    [[nodiscard]] double mean() const { return sum / static_cast<double>(nodes); }
+    /// @return no number without nodes
+    [[nodiscard]] double mean() const { return nodes > 0 ? sum / static_cast<double>(nodes) : no_number; }
     Tightness& operator+=(const Tightness& other);
 };
 
-/// Adds the nodes of a hierarchy, as last built, to the sums of their levels. Nothing for brute force.
+/// That of each level of a hierarchy, as last built. Brute force has no levels.
 /// @param x to which it was built
-/// @param levels grows to as many as there are
 /// @par Cost a fit of every node, by Welzl's method for spheres
-void add_tightness(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels);
+std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& grid, const Points& x);
 
 /// All levels together.
 Tightness over_levels(const std::vector<Tightness>& levels);
@@ -79,24 +75,26 @@ struct FrameTimes {
     double build = 0;
     double query = 0;  ///< from the root to the candidates
     double exact = 0;  ///< test of the candidates' triangles
-
-    [[nodiscard]] double whole() const { return build + query + exact; }
+    double whole = 0;  ///< all three
 };
 
-/// What one frame's query found.
-struct FrameCounts {
-    TraversalStats traversal;
-    std::int64_t candidates = 0;  ///< cells, those in nodes at which a limited search has ended among them
-    std::int64_t touching = 0;    ///< cells that touch the ball
+/// What a hierarchy did in one frame.
+struct FrameRun {
+    std::int64_t nodes = 0, visited = 0;
+    std::int64_t candidates = 0;         ///< cells, those in nodes at which a limited search has ended among them
+    std::int64_t touching = 0;           ///< cells that touch the ball
+    Real slack = 0;                      ///< [m]
+    Tightness tightness = {};            ///< without nodes where it was not looked at
+    std::vector<FrameTimes> times = {};  ///< as often as it was repeated
 };
 
 /// What a hierarchy did along a motion.
 struct HierarchyRun {
-    std::vector<std::vector<FrameTimes>> times;  ///< of each frame, as often as it was repeated
-    std::vector<FrameCounts> counts;             ///< of each frame
-    std::vector<Tightness> tightness;            ///< of each level, over the frames that were looked at
-    std::vector<Tightness> frame_tightness;      ///< of each frame; without nodes where it was not looked at
-    std::vector<Real> slack;                     ///< of each frame [m]
+    std::vector<FrameRun> frames;
+    std::vector<Tightness> levels;  ///< of each, over the frames in which it was looked at
+
+    /// All frames but the first, for whose build the tree jumps back.
+    [[nodiscard]] std::span<const FrameRun> timed() const { return std::span(frames).subspan(1); }
 };
 
 struct RunPlan {
@@ -105,30 +103,13 @@ struct RunPlan {
 };
 
 /// Takes a hierarchy along a motion: build, query and exact test in every frame. The first time each query is checked
-/// against brute force; then times are taken, the first frame's build left out, because the tree jumps back for it.
+/// against brute force; then times are taken.
 /// @throws RunError if a query does not lead to the very triangles that touch
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan);
 
-/// Over frames and repeats, but for the first frame.
-/// @param time a member of `FrameTimes`
-template <class Time>
-Quartiles quartiles_over_frames(const HierarchyRun& run, Time time) {
-    std::vector<double> times;
-    for (std::size_t k = 1; k < run.times.size(); ++k) {
-        for (const FrameTimes& frame : run.times[k]) times.push_back(std::invoke(time, frame));
-    }
-    return quartiles_of(std::move(times));
-}
+/// Over frames and repeats.
+Quartiles quartiles_over(std::span<const FrameRun> frames, double FrameTimes::*time);
 
-/// @param count a member of `FrameCounts`, or a function of it
-template <class Count>
-double mean_over_frames(const std::vector<FrameCounts>& counts, Count count) {
-    double sum = 0;
-    for (const FrameCounts& one : counts) sum += static_cast<double>(std::invoke(count, one));
-    return sum / static_cast<double>(counts.size());
-}
-
-/// Candidates that do not touch over those that do, over all frames.
-double false_per_true(const std::vector<FrameCounts>& counts);
+double mean_over(std::span<const FrameRun> frames, std::int64_t FrameRun::*count);
 
 }  // namespace drape

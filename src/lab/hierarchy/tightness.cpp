@@ -29,8 +29,8 @@ Tightness& Tightness::operator+=(const Tightness& other) {
     return *this;
 }
 
-void add_tightness(const BroadPhase& hierarchy, const Grid& grid, const Points& x, std::vector<Tightness>& levels) {
-    levels.resize(std::max(levels.size(), static_cast<std::size_t>(hierarchy.levels())));
+std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& grid, const Points& x) {
+    std::vector<Tightness> levels;
     for (int level = 0; level < hierarchy.levels(); ++level) {
         std::vector<NodeView> nodes;
         hierarchy.nodes_at(level, nodes);
@@ -38,13 +38,15 @@ void add_tightness(const BroadPhase& hierarchy, const Grid& grid, const Points& 
         std::vector<NodeView> smallest = nodes;
         const auto kind = static_cast<VolumeKind>(nodes.front().volume.index());
         refit_nodes({.volume = kind, .sphere_fit = SphereFit::Welzl}, grid, x, smallest);
+        Tightness& tightness = levels.emplace_back();
         for (std::size_t n = 0; n < nodes.size(); ++n) {
             const Real least = size_of(smallest[n]);
             if (!(least > 0)) continue;
             const Real ratio = (size_of(nodes[n]) + hierarchy.slack()) / least;
-            levels[static_cast<std::size_t>(level)] += {static_cast<double>(ratio), 1};
+            tightness += {static_cast<double>(ratio), 1};
         }
     }
+    return levels;
 }
 
 Tightness over_levels(const std::vector<Tightness>& levels) {

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <array>
 
 #include "drape/base/input_error.h"
@@ -15,10 +13,10 @@ struct Stage {
     const char* name;
     double StageTimes::*time;
 };
-constexpr std::array<Stage, 4> stages{{{"step", &StageTimes::step},
-                                       {"build", &StageTimes::build},
-                                       {"query", &StageTimes::traverse},
-                                       {"narrow_phase", &StageTimes::narrow}}};
+constexpr Stage stages[] = {{"step", &StageTimes::step},
+                            {"build", &StageTimes::build},
+                            {"query", &StageTimes::traverse},
+                            {"narrow_phase", &StageTimes::narrow}};
 
 /// A cloth that lies on a ball from the start and has no time to move: each step does the same work.
 Simulation touching_cloth(int side, Kernels kernels) {
@@ -35,46 +33,28 @@ Simulation touching_cloth(int side, Kernels kernels) {
 
 Rows run_kernels_case(int side, int steps) {
     std::array simulations{touching_cloth(side, Kernels::Vector), touching_cloth(side, Kernels::Plain)};
-    std::array<std::array<std::vector<double>, simulations.size()>, stages.size()> times;
+    std::array<std::vector<StageTimes>, simulations.size()> times;
     // In turn: a machine has faster and slower moments. The first steps warm the caches
     for (int step = -2; step < steps; ++step) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
             simulations[k].step();
             const StepReport& report = simulations[k].report();
             if (report.traversal.candidates == 0) throw RunError("kernels: the cloth is not at the ball");
-            for (std::size_t s = 0; s < stages.size() && step >= 0; ++s) {
-                times[s][k].push_back(report.times.*stages[s].time);
-            }
+            if (step >= 0) times[k].push_back(report.times);
         }
     }
     Rows rows;
-    for (std::size_t s = 0; s < stages.size(); ++s) {
+    for (const Stage& stage : stages) {
         for (std::size_t k = 0; k < simulations.size(); ++k) {
-            rows.push_back({{"stage", stages[s].name},
+            std::vector<double> seconds;
+            for (const StageTimes& one : times[k]) seconds.push_back(one.*stage.time);
+            rows.push_back({{"stage", stage.name},
                             {"kernels", simulations[k].settings().solver.kernels},
                             {"particles", side * side},
-                            {"time_s", quartiles_of(std::move(times[s][k]))}});
+                            {"time_s", quartiles_of(std::move(seconds))}});
         }
     }
     return rows;
-}
-
-std::vector<Chart> kernels_charts(const Rows& rows) {
-    std::string ratios = "stage,particles,ratio\n";
-    for (const Row& plain : rows_with(rows, "kernels", "plain")) {
-        for (const Row& vector : rows_with(rows, "kernels", "vector")) {
-            const bool pair =
-                vector.word("stage") == plain.word("stage") && vector.number("particles") == plain.number("particles");
-            if (!pair || !(vector.number("time_s") > 0)) continue;
-            ratios += fmt::format("{},{},{:.6g}\n", plain.word("stage"), plain.number("particles"),
-                                  plain.number("time_s") / vector.number("time_s"));
-        }
-    }
-    return {{"kernels",
-             "Wall time of the stages of a step by vector kernels and by the plain core, medians with quartiles over "
-             "steps that were made in turn, and how many times as long the plain core takes.",
-             {{"stages", in_words(words_of(rows, "stage"))}},
-             ratios}};
 }
 
 }  // namespace
@@ -90,7 +70,7 @@ Experiment kernels_experiment() {
             {word_column("stage", names_in(stages, &Stage::name)), name_column<Kernels>("kernels"),
              whole_column("particles", 4), number_column("time_s").with_quartiles()},
             {{"stage", "particles", "kernels"}, {"time_s"}},
-            {{"", cases, kernels_charts}}};
+            {{"", cases, charts_of({{.name = "kernels"}})}}};
 }
 
 }  // namespace drape

@@ -95,30 +95,6 @@ auto cases_of(const Run& run, const std::vector<std::string>& scenes) {
     return [=](bool quick) { return cases_over(run, quick ? std::vector<std::string>{"hang"} : scenes); };
 }
 
-std::vector<Chart> ladder_charts(const Rows& rows) {
-    std::vector<Chart> charts;
-    for (const std::string& scene : words_of(rows, "scene")) {
-        charts.push_back({"minimal_" + scene,
-                          "What was taken away from the full model of a scene, one notch after the other, until one "
-                          "notch less of anything breaks its need.",
-                          {{"scene", scene}},
-                          {},
-                          "minimal_ladder"});
-    }
-    return charts;
-}
-
-std::vector<Chart> budget_charts(const Rows& rows) {
-    Chart chart{"minimal_budget",
-                "How far the motion of a scene moves where one knob is as in its full model (the step: half as long), "
-                "and how many times the scene's cost that is.",
-                {{"scenes", in_words(words_of(rows, "scene"))}}};
-    for (const Row& row : rows_with(rows, "changed", "none")) {
-        chart.values["cost_" + row.word("scene")] = row.number("cost_s_per_s");
-    }
-    return {chart};
-}
-
 }  // namespace
 
 Experiment minimal_experiment() {
@@ -138,9 +114,9 @@ Experiment minimal_experiment() {
              word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"})},
             {{"part", "scene", "changed", "integrator", "outcome"},
              {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
-            {{"ladder", cases_of(run_ladder, searched), ladder_charts},
+            {{"ladder", cases_of(run_ladder, searched), charts_by("scene", "minimal")},
              {"notches", cases_of(run_notches, scenes_with_needs()), {}},
-             {"budget", cases_of(run_budget, searched), budget_charts}}};
+             {"budget", cases_of(run_budget, searched), charts_of({{.name = "minimal_budget"}})}}};
 }
 
 }  // namespace drape

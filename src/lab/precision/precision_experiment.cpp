@@ -35,20 +35,17 @@ std::optional<double> order_of(const Rows& method) {
     return observed_order(errors);
 }
 
+/// What the caption says of the reference of a scene, and of averages.
 std::string caption_of(const Row& scene) {
     const double phases = scene.number("phases");
     const std::string averaged =
         phases == 1 ? ""
                     : fmt::format(
-                          " Errors are averaged over {} phases of the first impact within a step; from that impact on, "
-                          "every method is of order 1.",
+                          "Errors are averaged over {} phases of the first impact within a step; from that impact on, "
+                          "every method is of order 1. ",
                           phases);
-    return fmt::format(
-        "Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) "
-        "over a ladder of steps: left is more exact, down is cheaper. The order is fitted to the finest "
-        "points.{} The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} "
-        "times.",
-        averaged, scene.number("reference_error"), small_error, scene.number("growth"));
+    return fmt::format("{}The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} times.",
+                       averaged, scene.number("reference_error"), small_error, scene.number("growth"));
 }
 
 /// In the order of the table.
@@ -161,17 +158,13 @@ std::vector<Chart> precision_charts(const Rows& rows) {
                             "the best point, less than {:.3g}: no chart is drawn",
                             scene, margin, least_margin));
         }
-        Chart diagram{"precision_" + scene, caption_of(points.front()), {{"scene", scene}}, {}, "precision"};
+        Chart diagram{"precision_" + scene, {{"scene", scene}}, {}, "precision", caption_of(points.front())};
         for (const std::string& method : words_of(own, "method")) {
             const auto order = order_of(rows_with(own, "method", method));
             if (order) diagram.values["order_" + method] = *order;
         }
         charts.push_back(diagram);
-        charts.push_back({"precision_choice_" + scene,
-                          "Six of these methods: what each error costs, and which errors a picture can show.",
-                          {{"scene", scene}},
-                          {},
-                          "precision_choice"});
+        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, {}, "precision_choice"});
     }
     return charts;
 }

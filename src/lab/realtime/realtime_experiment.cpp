@@ -132,19 +132,6 @@ ExperimentCases realtime_cases(bool quick) {
         frame_motions(), std::vector{1, 2}, frame_methods());
 }
 
-std::vector<Chart> realtime_charts(const Rows& rows) {
-    std::vector<Chart> charts;
-    for (const std::string& motion : words_of(rows, "motion")) {
-        charts.push_back({"realtime_" + motion,
-                          "Square cloths that a method moves in real time on one core, with at most 1 % more stretch "
-                          "than the converged cloth: how far they are from that cloth, by their size.",
-                          {{"motion", motion}},
-                          {},
-                          "realtime"});
-    }
-    return charts;
-}
-
 }  // namespace
 
 Experiment realtime_experiment() {
@@ -160,7 +147,7 @@ Experiment realtime_experiment() {
              number_column("error").or_nan(),           // largest distance from that at any moment, of the side
              word_column("end", {"realtime", "late", "stretched", "diverged"})},
             {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
-            {{"", realtime_cases, realtime_charts}}};
+            {{"", realtime_cases, charts_by("motion", "realtime")}}};
 }
 
 }  // namespace drape

@@ -153,18 +153,10 @@ ExperimentCases limit_cases(bool quick) {
 
 std::vector<Chart> step_charts(const Rows& rows) {
     const auto responses = words_of(rows, "response");
-    return {{"responses",
-             "A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height "
-             "to which it bounces; and how fast a sheet drifts that should stick to a slope.",
-             {{"responses", in_words(responses)}}}};
+    return {{"responses", {{"responses", in_words(responses)}}}};
 }
 
-std::vector<Chart> limit_charts(const Rows&) {
-    return {{"responses_limit",
-             "The longest step at which a penalty does not throw off a sheet that rests on it, against its stiffness: "
-             "lines as predicted, points as measured.",
-             {}}};
-}
+std::vector<Chart> limit_charts(const Rows&) { return {{"responses_limit", {}}}; }
 
 }  // namespace
 

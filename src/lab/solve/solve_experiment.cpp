@@ -129,27 +129,14 @@ std::vector<Chart> tolerance_charts(const Rows& all) {
     const Rows rows = rows_with(all, "method", "backward_euler_clamped");
     if (rows.empty()) return {};
     const auto sides = words_of(rows, [](const Row& row) { return real_text(row.number("side")); });
-    return {
-        {"solve_tolerance",
-         "How far a sheet is from where solves to 1e-9 take it in half a second of backward Euler at 1/60 s, by the "
-         "tolerance of the solves; dashed, the error of the step itself.",
-         {{"sides", in_words(sides)}}}};
+    return {{"solve_tolerance", {{"sides", in_words(sides)}}}};
 }
 
 std::vector<Chart> newton_charts(const Rows& rows) {
-    return {
-        {"solve_newton",
-         "Error of a falling sheet after half a second against the CPU time of a simulated second, by steps of 1/60 s "
-         "and of a half, a quarter and an eighth of it: with one Newton step in each, and with two.",
-         {{"methods", in_words(words_of(rows, "method"))}}}};
+    return {{"solve_newton", {{"methods", in_words(words_of(rows, "method"))}}}};
 }
 
-std::vector<Chart> size_charts(const Rows&) {
-    return {{"solve_size",
-             "CPU time of a step of backward Euler at 1/60 s against the particles, on one core: while the sheet falls "
-             "flat, and once it swings in folds.",
-             {}}};
-}
+std::vector<Chart> size_charts(const Rows&) { return {{"solve_size", {}}}; }
 
 }  // namespace
 

@@ -153,10 +153,6 @@ Chart stability_chart(Rows rows) {
     const std::string method = rows.front().word("method");
     const bool limited = std::isfinite(rows.front().number("expected_step_s"));
     return {"stability_" + method,
-            limited ? "Steps that stayed bounded and steps that failed, over stiffness and damping, and the longest "
-                      "step that is predicted: every dot should lie below the line, every cross above it."
-                    : "Steps that stayed bounded and steps that failed, over stiffness and damping, under a method "
-                      "that has no linear limit: a cross is a failure that no linear theory predicts.",
             {{"method", method},
              {"side", side},
              {"trials", static_cast<double>(rows.size()) - count("agreement", "close")},

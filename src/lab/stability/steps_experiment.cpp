@@ -72,10 +72,7 @@ ExperimentCases steps_cases(bool quick) {
 }
 
 std::vector<Chart> steps_charts(const Rows& rows) {
-    return {{"steps",
-             "A sheet that falls and swings, hung by two corners, by each method and step: held within 1 % of the "
-             "converged motion and its stretch, off by more, stretched by more or to ruin, or blown up.",
-             {{"methods", in_words(words_of(rows, "method"))}}}};
+    return {{"steps", {{"methods", in_words(words_of(rows, "method"))}}}};
 }
 
 }  // namespace

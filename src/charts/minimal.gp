@@ -1,3 +1,5 @@
+# caption: What was taken away from the full model of a scene, one notch after the other, until one notch less of
+# caption: anything breaks its need.
 # The ladder of a scene: from the full model down, each notch that was taken away with its cost and error; below, in
 # red, one notch less of each knob, which the need does not allow.
 # scene
