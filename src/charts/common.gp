@@ -87,7 +87,6 @@ method_names = "explicit_euler 'explicit Euler' symplectic_euler 'symplectic Eul
   projective_dynamics_5 'projective, 5 iterations' projective_dynamics_10 'projective, 10 iterations' \
   projective_dynamics_20 'projective, 20 iterations'"
 place(list, wanted) = sum [i = 1:words(list)] (word(list, i) eq wanted ? i : 0)
-with_word(list, more) = place(list, more) > 0 ? list : list.' '.more
 name_of(method) = place(method_names, method) > 0 ? word(method_names, 1 + place(method_names, method)) : readable(method)
 # 'XPBD, 1 iteration' in a sentence: 'XPBD with 1 iteration'
 in_words(name) = strstrt(name, ', ') ? name[1:strstrt(name, ', ') - 1].' with '.name[strstrt(name, ', ') + 2:*] : name

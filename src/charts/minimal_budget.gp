@@ -8,7 +8,7 @@ mine = "(is('part', 'budget') && place(scenes, strcol('scene')) > 0 && place(kno
 # Scenes, and cost_SCENE of each as it is [s/s]
 scenes = ''
 as_it_is(scene) = is('part', 'budget') && is('scene', scene) && is('changed', 'none')
-stats table using (is('part', 'budget') ? (scenes = with_word(scenes, strcol('scene')), 0) : 0) nooutput
+stats table using (is('part', 'budget') ? (scenes = listed(scenes, strcol('scene')), 0) : 0) nooutput
 do for [scene in scenes] {
   stats table using (as_it_is(scene) ? (cost = column('cost_s_per_s'), 0) : 0) nooutput
   eval sprintf('cost_%s = %.17g', scene, cost)

@@ -11,7 +11,7 @@ here = "(is('scene', scene) && is('end', 'bounded'))"
 point(method) = is('method', method) && @here
 # All points: how many, of which methods, and within which ranges
 methods = ''; points = 0; least_error = 1e9; most_error = 0; least_cost = 1e9; most_cost = 0
-noted(method, error, cost) = (points = points + 1, methods = with_word(methods, method), \
+noted(method, error, cost) = (points = points + 1, methods = listed(methods, method), \
   least_error = least(least_error, error), most_error = most(most_error, error), \
   least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), \
   particles = column('particles'), stiffness = column('stiffness_N_per_m'), 0)

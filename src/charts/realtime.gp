@@ -6,7 +6,7 @@ colours = 'symplectic_euler_by_1 '.black.' backward_euler_clamped_by_1 '.blue.' 
 colour(method) = word(colours, 1 + place(colours, method))
 methods = ''
 moved = "(is('motion', motion) && is('end', 'realtime') && column('threads') == 1)"
-stats table using (@moved && place(colours, strcol('method')) > 0 ? (methods = with_word(methods, strcol('method')), 0) : 0) nooutput
+stats table using (@moved && place(colours, strcol('method')) > 0 ? (methods = listed(methods, strcol('method')), 0) : 0) nooutput
 if (methods eq '') { exit status 3 }
 eval paper(430)
 eval frame(65, 185, 55, 70)
