@@ -6,6 +6,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 
@@ -25,5 +26,8 @@ struct Method {
 
 /// @param names of an integrator, with "_clamped" or "_exact" behind it for the Hessian, or a number of iterations
 std::vector<Method> methods_named(std::initializer_list<std::string> names);
+
+/// A scene that is moved by a method: its kind, Hessian, iterations and tolerance.
+Settings with_method(Settings scene, const IntegratorParameters& method);
 
 }  // namespace drape
