@@ -212,7 +212,8 @@ void add_the_rest(std::vector<Setting>& table) {
         "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
 
     SectionRows<ContactSettings> contact("contact", &Settings::contact, table);
-    contact.add("volume", &ContactSettings::volume, "of the hierarchy; brute tests every cell");
+    contact.add("volume", &ContactSettings::volume,
+                "of the hierarchy; brute tests every cell, and with contact.self every pair of cells");
     contact.add("update", &ContactSettings::update, "how the hierarchy follows the cloth");
     contact.add("sphere_fit", &ContactSettings::sphere_fit,
                 "how a sphere is put about particles, where the volume is one");
