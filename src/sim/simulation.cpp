@@ -8,8 +8,6 @@
 #include "drape/integrate/integrator.h"
 #include "drape/scene/memory.h"
 #include "gusts.h"
-#include "run_checks.h"
-#include "step_plan.h"
 
 namespace drape {
 
@@ -41,19 +39,7 @@ void Simulation::begin_step() {
         if (!report_.asleep) cloth.previous = cloth.state;
         cloth.energy.mark();
     }
-    if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
-    const bool touches = report_.contacts > 0 || contact_.is_near();
-    const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
-    const bool meets = of_balls > 1 || (!report_.asleep && (may_touch(settings_, cloths_, balls_, solids_) ||
-                                                            softens_before_ball(settings_, cloths_, balls_)));
-    report_.substeps = std::max(of_balls, substeps_in_contact(settings_, touches || meets, planned_substeps_));
-    if (contact_.self().on())
-        report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
-}
-
-void Simulation::plan(int fewest) {
-    plan_substeps(cloths_, settings_, fewest, report_);
-    planned_substeps_ = report_.substeps;
+    plan_step();
 }
 
 Substep Simulation::substep(int number) const {
@@ -95,7 +81,7 @@ bool Simulation::integrate(const Substep& now) {
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
-    std::string error = check_substep(cloths_, balls_, settings_, now.h, planned_substeps_, report_);
+    std::string error = check_substep(now.h);
     if (!error.empty()) {
         end_with(std::move(error));
         return false;
@@ -121,13 +107,16 @@ bool Simulation::respond() {
     contact_.audit_response(report_);
     contact_.end();
     for (Ball& ball : balls_) turn_ball(ball);
-    if (contact_.self().report().gave_up) end_with(search_error(report_));
+    if (contact_.self().report().gave_up) {
+        end_with("too much cloth is near, or moves too far, in step " + std::to_string(report_.step + 1) +
+                 " for contact.self; reduce solver.dt or contact.thickness");
+    }
     return report_.status == Status::Ok;
 }
 
 void Simulation::close_report() {
     ++report_.step;
-    if (!report_.asleep) measure_stretch(cloths_, settings_.solver.dt, report_);
+    if (!report_.asleep) measure_stretch();
     if (report_.solve.unconverged > 0) {
         ++report_.unconverged;
         report_.unsolved_by = settings_.solver.integrator;

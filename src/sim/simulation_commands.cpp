@@ -8,7 +8,6 @@
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/snapshot.h"
-#include "run_checks.h"
 
 namespace drape {
 namespace {
@@ -133,7 +132,7 @@ void Simulation::restart() {
     previous_balls_ = balls_;
     put_solids(settings_.solids, report_.time, solids_);
     previous_solids_ = solids_;
-    depth_at_start_ = deepest_particle(cloths_, balls_, solids_, settings_.ground, settings_.contact.thickness);
+    depth_at_start_ = deepest_particle();
     choose_ball();
     plan(1);
 }

@@ -6,7 +6,6 @@
 #include "drape/base/snapshot_text.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "step_plan.h"
 
 namespace drape {
 namespace {
