@@ -1,12 +1,17 @@
 #include "drape/scene/scene.h"
 
+// The parser's own assertions abort on bad input; without them it reports an error as it should.
+#define TOML_HEADER_ONLY 1
+#define TOML_ASSERT(condition) static_cast<void>(0)
+#include <toml++/toml.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/resources.h"
 #include "drape/scene/setting_table.h"
-#include "toml_value.h"
 
 namespace drape {
 namespace {
@@ -14,12 +19,82 @@ namespace {
 constexpr std::size_t largest_scene = 256 * 1024;
 constexpr std::size_t longest_scene_line = 4 * 1024;
 
-/// Reads one parsed scene into settings.
+std::optional<double> number_of(const toml::node& node) {
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+    return std::nullopt;
+}
+
+/// The numbers of an array, or of its rows one after another where rows are wanted.
+bool append_numbers(const toml::array& array, bool rows, std::vector<double>& values) {
+    for (const toml::node& entry : array) {
+        if (rows) {
+            const toml::array* row = entry.as_array();
+            if (row == nullptr || row->size() != 4 || !append_numbers(*row, false, values)) return false;
+        } else {
+            const auto number = number_of(entry);
+            if (!number) return false;
+            values.push_back(*number);
+        }
+    }
+    return true;
+}
+
+/// A node's value in the form that a kind of setting has; nothing if the node is of another type.
+std::optional<SettingValue> toml_value(const toml::node& node, SettingKind kind) {
+    switch (kind) {
+        case SettingKind::Flag:
+            if (const auto* flag = node.as_boolean()) return flag->get();
+            return std::nullopt;
+        case SettingKind::Integer:
+        case SettingKind::Number:
+            if (const auto number = number_of(node)) return *number;
+            return std::nullopt;
+        case SettingKind::Choice:
+            if (const auto* flag = node.as_boolean()) return std::string(flag->get() ? "true" : "false");
+            [[fallthrough]];
+        case SettingKind::Text:
+            if (const auto* text = node.as_string()) return text->get();
+            return std::nullopt;
+        case SettingKind::Pins:
+            if (const auto* name = node.as_string()) return name->get();
+            [[fallthrough]];
+        case SettingKind::Grid:
+        case SettingKind::Size:
+        case SettingKind::Vector:
+        case SettingKind::Path: {
+            std::vector<double> values;
+            const toml::array* array = node.as_array();
+            if (array == nullptr || !append_numbers(*array, kind == SettingKind::Path, values)) return std::nullopt;
+            return values;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The node as it might stand in a file, shortened, for messages.
+std::string toml_text(const toml::node& node) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    node.visit([&out](const auto& value) {
+        if constexpr (toml::is_table<decltype(value)>) {
+            out << "a table";
+        } else if constexpr (toml::is_array<decltype(value)>) {
+            out << toml::default_formatter(value);
+        } else {
+            out << value;
+        }
+    });
+    return shortened(out.str());
+}
+
+/// Reads a scene into settings.
 class SceneReader {
 public:
     SceneReader(std::string file, Settings& settings) : file_(std::move(file)), settings_(settings) {}
 
-    void read(const toml::table& root) {
+    void read(std::string_view text) {
+        const toml::table root = parsed(text);
         if (root.get("cloth") == nullptr) throw InputError(file_ + ": [cloth] is missing: a scene needs one");
         settings_.cloths.clear();
         for (const auto& [key, node] : root) read_top(std::string(key.str()), node);
@@ -31,6 +106,14 @@ public:
     }
 
 private:
+    [[nodiscard]] toml::table parsed(std::string_view text) const {
+        try {
+            return toml::parse(text, file_);
+        } catch (const toml::parse_error& error) {
+            fail(error.source(), std::string(error.description()));
+        }
+    }
+
     /// The setting that does not fit the others, or the table that should have it.
     static const toml::node& node_of(const InconsistentSettings& misfit, const toml::node& section) {
         const toml::array* several = section.as_array();
@@ -143,10 +226,11 @@ private:
              "unknown key '" + shortened(name) + "'" + did_you_mean(name, names, ": drape-lab list settings has all"));
     }
 
-    [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
-        const auto& begin = node.source().begin;
-        throw InputError(file_ + ":" + std::to_string(begin.line) + ":" + std::to_string(begin.column) + ": " +
-                         message);
+    [[noreturn]] void fail(const toml::node& node, const std::string& message) const { fail(node.source(), message); }
+
+    [[noreturn]] void fail(const toml::source_region& place, const std::string& message) const {
+        throw InputError(file_ + ":" + std::to_string(place.begin.line) + ":" + std::to_string(place.begin.column) +
+                         ": " + message);
     }
 
     static constexpr std::size_t max_entries = 64;
@@ -177,8 +261,7 @@ void check_sizes(std::string_view text, const std::string& file) {
 Settings parse_scene(std::string_view text, const std::string& file) {
     check_sizes(text, file);
     Settings settings;
-    const toml::table root = parse_toml(text, file);
-    SceneReader(file, settings).read(root);
+    SceneReader(file, settings).read(text);
     return settings;
 }
 
