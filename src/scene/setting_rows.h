@@ -14,7 +14,7 @@ namespace drape {
 /// A member of a section as its setting's value.
 template <class Member>
 SettingValue setting_value(const Member& member) {
-    if constexpr (NamedEnum<Member>) {
+    if constexpr (Enumeration<Member>) {
         return name_of(member);
     } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
         return static_cast<double>(member);
@@ -30,7 +30,7 @@ SettingValue setting_value(const std::vector<PathPoint>& path);
 /// Gives a member the value of its setting.
 template <class Member>
 void take(const SettingValue& value, Member& member) {
-    if constexpr (NamedEnum<Member>) {
+    if constexpr (Enumeration<Member>) {
         member = value_named<Member>(std::get<std::string>(value)).value();
     } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
         member = static_cast<Member>(std::get<double>(value));
@@ -49,7 +49,7 @@ consteval SettingKind kind_of() {
     if (std::is_same_v<Member, bool>) return SettingKind::Flag;
     if (std::is_same_v<Member, int>) return SettingKind::Integer;
     if (std::is_floating_point_v<Member>) return SettingKind::Number;
-    if (NamedEnum<Member>) return SettingKind::Choice;
+    if (Enumeration<Member>) return SettingKind::Choice;
     if (std::is_same_v<Member, std::string>) return SettingKind::Text;
     if (std::is_same_v<Member, Grid>) return SettingKind::Grid;
     if (std::is_same_v<Member, Vec3>) return SettingKind::Vector;
@@ -100,7 +100,7 @@ public:
             std::move(name), kind_of<Member>(), std::move(unit), range, std::move(help),
             [at](Values& values) { return setting_value(std::invoke(at, values)); },
             [at](Values& values, const SettingValue& value) { take(value, std::invoke(at, values)); });
-        if constexpr (NamedEnum<Member>) {
+        if constexpr (Enumeration<Member>) {
             const auto names = names_of<Member>();
             rows_.back().choices.assign(names.begin(), names.end());
         }

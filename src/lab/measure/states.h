@@ -23,9 +23,6 @@ enum class Measure {
     Overall    ///< the largest difference of sag, centre of mass (both over the side) and energy (over M g side)
 };
 
-template <>
-inline constexpr auto enum_names<Measure> = all_names<Measure>("position", "overall");
-
 /// Positions, where small errors stay small; beyond `most_growth`, or where the growth is no number, only what does not
 /// depend on the single particle.
 /// @param growth of a small error on the way to the horizon

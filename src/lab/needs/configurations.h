@@ -16,10 +16,6 @@ namespace drape {
 /// A setting that the search for what a scene needs may change.
 enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Update, SphereFit, LeafCells };
 
-template <>
-inline constexpr auto enum_names<Knob> = all_names<Knob>("particles", "bend", "drag", "integrator", "dt", "iterations",
-                                                         "volume", "update", "sphere_fit", "leaf_cells");
-
 /// The knobs that a scene leaves free: all but those in its `needs.keep` and those with nothing to act on. Particles
 /// stay where pins or a start state count them, and the hierarchy where there is no ball to search for.
 /// @throws InputError if `needs.keep` has a word that names no knob

@@ -28,9 +28,6 @@ struct FrameMethod : Method {
 
 }  // namespace
 
-template <>
-inline constexpr auto enum_names<FrameMotion> = all_names<FrameMotion>("free", "ball", "fold");
-
 namespace {
 
 constexpr double frame = 1.0 / 60;    // s
