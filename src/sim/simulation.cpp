@@ -52,7 +52,7 @@ Substep Simulation::substep(int number) const {
 bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (report_.asleep && !is_kinematic(b)) continue;
+        if (report_.asleep && balls_[b].inverse_mass != 0) continue;
         move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_factor(settings_.solver.integrator),
                   static_cast<Real>(now.time), now.h, balls_[b]);
     }
@@ -136,11 +136,9 @@ void Simulation::rest() {
     if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
 }
 
-bool Simulation::is_kinematic(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
-
 bool Simulation::kinematic_body_has_moved() const {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (is_kinematic(b) && balls_[b].centre != previous_balls_[b].centre) return true;
+        if (balls_[b].inverse_mass == 0 && balls_[b].centre != previous_balls_[b].centre) return true;
     }
     return pins_have_moved_ || !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
 }

@@ -126,7 +126,6 @@ private:
     /// That the step is longer than the limit of the method, or of the penalty.
     [[nodiscard]] std::string limit_warnings() const;
 
-    [[nodiscard]] bool is_kinematic(std::size_t ball) const;
     [[nodiscard]] bool kinematic_body_has_moved() const;
     void end_with(std::string error);
     void fall_asleep();
@@ -134,9 +133,7 @@ private:
 
     void carry_out(const Command& command);
     void restart();
-    void load(const std::string& scene);
-    void keep_window(Settings& settings) const;
-    void go_on_from(Simulation&& snapshot);
+    void go_on_from(Simulation&& other);
     void change_pin(const command::Pin& pin);
     void configure(Settings settings);
 
@@ -149,7 +146,6 @@ private:
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
     void stop_balls();
-    void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);
