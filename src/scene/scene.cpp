@@ -123,26 +123,15 @@ private:
     }
 
     void read_top(const std::string& name, const toml::node& node) {
-        if (name == "title" || name == "start") {
-            write(node, find_setting(name), 0);
-        } else if (name == "cloth") {
-            read_several(node, name, settings_.cloths);
-        } else if (name == "ball") {
-            read_several(node, name, settings_.balls);
-        } else if (name == "solid") {
-            read_several(node, name, settings_.solids);
-        } else if (name == "pins") {
-            read_several(node, name, settings_.pins);
-        } else if (std::ranges::find(setting_table(), name, &Setting::section) != setting_table().end()) {
-            read_section(table_of(node, name), name, "", 0);
-        } else {
-            refuse_unknown(node, name, "");
-        }
+        if (name == "title" || name == "start") return write(node, find_setting(name), 0);
+        const auto row = std::ranges::find(setting_table(), name, &Setting::section);
+        if (row == setting_table().end()) refuse_unknown(node, name, "");
+        row->several != nullptr ? read_several(node, *row) : read_section(table_of(node, name), name, "", 0);
     }
 
     /// `[cloth]` or `[[cloth]]`
-    template <class Entry>
-    void read_several(const toml::node& node, const std::string& name, std::vector<Entry>& entries) {
+    void read_several(const toml::node& node, const Setting& row) {
+        const std::string& name = row.section;
         const toml::array* several = node.as_array();
         const std::size_t count = several != nullptr ? several->size() : 1;
         if (count == 0 || count > max_entries) {
@@ -150,7 +139,7 @@ private:
         }
         for (std::size_t i = 0; i < count; ++i) {
             const toml::node& one = several != nullptr ? *several->get(i) : node;
-            entries.emplace_back();
+            row.several->add(settings_);
             const toml::table& table = table_of(one, name);
             if (table.contains("origin") && table.contains("centre")) {
                 fail(*table.get("centre"), name + ".centre: allowed only without " + name + ".origin");

@@ -69,9 +69,18 @@ public:
     SectionRows(std::string section, Values Settings::*once, std::vector<Setting>& rows)
         : SectionRows(
               std::move(section), [once](Settings& s, std::size_t) -> Values& { return s.*once; }, rows) {}
-    SectionRows(std::string section, std::vector<Values> Settings::*several, std::vector<Setting>& rows)
-        : SectionRows(
-              std::move(section), [several](Settings& s, std::size_t i) -> Values& { return (s.*several)[i]; }, rows) {}
+
+    /// The rows of a section that may stand several times.
+    /// @tparam entries the member of `Settings` that holds them
+    template <std::vector<Values> Settings::*entries>
+    static SectionRows of_several(std::string section, std::vector<Setting>& rows) {
+        static constexpr SeveralSections several{[](const Settings& s) { return (s.*entries).size(); },
+                                                 [](Settings& s) { (s.*entries).emplace_back(); }};
+        SectionRows of_section(
+            std::move(section), [](Settings& s, std::size_t i) -> Values& { return (s.*entries)[i]; }, rows);
+        of_section.several_ = &several;
+        return of_section;
+    }
 
     /// Adds a row whose value is converted by `to` (values to value) and `from` (value to values).
     template <class To, class From>
@@ -88,7 +97,8 @@ public:
                          },
                          [find = find_, from](Settings& settings, std::size_t index, const SettingValue& value) {
                              from(find(settings, index), value);
-                         }});
+                         },
+                         several_});
     }
 
     /// Adds a row for a member, of the kind that its type has.
@@ -115,6 +125,7 @@ public:
 private:
     std::string section_;
     Find find_;
+    const SeveralSections* several_ = nullptr;
     std::vector<Setting>& rows_;
 };
 

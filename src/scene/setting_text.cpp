@@ -210,9 +210,9 @@ const Setting& find_setting(std::string_view name) {
 
 Settings settings_with_one_of_each() {
     Settings settings;
-    settings.balls.emplace_back();
-    settings.solids.emplace_back();
-    settings.pins.emplace_back();
+    for (const Setting& setting : setting_table()) {
+        if (section_count(settings, setting) == 0) setting.several->add(settings);
+    }
     return settings;
 }
 
