@@ -91,9 +91,9 @@ std::string toml_text(const toml::node& node) {
 /// Reads a scene into settings.
 class SceneReader {
 public:
-    SceneReader(std::string file, Settings& settings) : file_(std::move(file)), settings_(settings) {}
+    explicit SceneReader(std::string file) : file_(std::move(file)) {}
 
-    void read(std::string_view text) {
+    Settings read(std::string_view text) {
         const toml::table root = parsed(text);
         if (root.get("cloth") == nullptr) throw InputError(file_ + ": [cloth] is missing: a scene needs one");
         settings_.cloths.clear();
@@ -103,6 +103,7 @@ public:
         } catch (const InconsistentSettings& misfit) {
             fail(node_of(misfit, *root.get(misfit.section)), misfit.what());
         }
+        return std::move(settings_);
     }
 
 private:
@@ -225,7 +226,7 @@ private:
     static constexpr std::size_t max_entries = 64;
 
     std::string file_;
-    Settings& settings_;
+    Settings settings_;
 };
 
 /// Refuses what the parser was not made for, before it sees it.
@@ -249,9 +250,7 @@ void check_sizes(std::string_view text, const std::string& file) {
 
 Settings parse_scene(std::string_view text, const std::string& file) {
     check_sizes(text, file);
-    Settings settings;
-    SceneReader(file, settings).read(text);
-    return settings;
+    return SceneReader(file).read(text);
 }
 
 std::filesystem::path scene_file(const std::string& name_or_path) {

@@ -12,12 +12,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 /// "1, 2, 3" or "[1, 2, 3]" or "[[1, 2], [3, 4]]": the numbers in their order; nothing if there is anything else.
 std::optional<Values> parse_list(std::string_view text) {
     Values values;

@@ -15,8 +15,9 @@ namespace drape {
 void Simulation::step() {
     if (report_.status == Status::Diverged) return;
     begin_step();
+    const Real h = static_cast<Real>(settings_.solver.dt / report_.substeps);
     for (int k = 0; k < report_.substeps; ++k) {
-        const Substep now = substep(k);
+        const Substep now{report_.time + k * static_cast<double>(h), h, report_.substeps > 1};
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
         limit_stretch();
@@ -40,11 +41,6 @@ void Simulation::begin_step() {
         cloth.energy.mark();
     }
     plan_step();
-}
-
-Substep Simulation::substep(int number) const {
-    const Real h = static_cast<Real>(settings_.solver.dt / report_.substeps);
-    return {report_.time + number * static_cast<double>(h), h, report_.substeps > 1};
 }
 
 /// What moves on its own: hand, balls, solids and pins. Commands were carried out between two steps.

@@ -97,7 +97,6 @@ private:
     void begin_step();
     void plan_step();
     void plan(int fewest);
-    [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
     void limit_stretch();
