@@ -11,10 +11,10 @@
 namespace drape {
 
 /// All values of an enumeration with names.
-template <NamedEnum Enum>
+template <Enumeration Enum>
 std::vector<Enum> values_of() {
     std::vector<Enum> values;
-    for (std::size_t k = 0; k < enum_names<Enum>.size(); ++k) values.push_back(static_cast<Enum>(k));
+    for (std::size_t k = 0; k < enum_count<Enum>; ++k) values.push_back(static_cast<Enum>(k));
     return values;
 }
 

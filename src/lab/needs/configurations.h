@@ -15,10 +15,6 @@ namespace drape {
 /// A setting that the search for what a scene needs may change.
 enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Update, SphereFit, LeafCells };
 
-template <>
-inline constexpr auto enum_names<Knob> = all_names<Knob>("particles", "bend", "drag", "integrator", "dt", "iterations",
-                                                         "volume", "update", "sphere_fit", "leaf_cells");
-
 /// The knobs that change the motion and have an order: a scene can have one notch less of each.
 inline constexpr std::array ordered_knobs{Knob::Particles, Knob::Bend, Knob::Drag, Knob::Dt, Knob::Iterations};
 
