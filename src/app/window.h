@@ -137,6 +137,7 @@ private:
     SceneWatch scene_watch_;
     std::string first_scene_;  ///< with which the program began, and the settings that it was given
     std::vector<std::string> assignments_;
+    bool keeps_size_;               ///< for the next time
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     int takeovers_ = 0;             ///< of which the user was told
     int crossing_dangers_ = 0;      ///< likewise
