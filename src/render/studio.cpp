@@ -1,7 +1,5 @@
 #include "studio.h"
 
-#include <algorithm>
-
 namespace drape {
 
 namespace {
@@ -12,8 +10,7 @@ constexpr int ground_cells = 40;
 // Whether two frames show the same studio, but for shadows
 bool same_studio(const FrameData& a, const FrameData& b) {
     return a.view_projection == b.view_projection && a.eye == b.eye && a.viewport == b.viewport && a.stage == b.stage &&
-           a.look[2] == b.look[2] && a.style == b.style && a.counts[3] == b.counts[3] &&
-           std::equal(a.balls.begin(), a.balls.begin() + a.counts[3], b.balls.begin());
+           a.look[2] == b.look[2] && a.style == b.style;
 }
 
 }  // namespace

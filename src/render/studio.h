@@ -8,8 +8,8 @@
 
 namespace drape {
 
-/// The ground and the wall behind it. What no shadow falls on is drawn once, for as long as camera, size and balls stay
-/// as they are.
+/// The ground and the wall behind it. What no shadow falls on is drawn once, for as long as camera and size stay as
+/// they are.
 class Studio {
 public:
     explicit Studio(Gl& gl);
