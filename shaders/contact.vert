@@ -12,7 +12,7 @@ const float full_length = 48.0, head = 9.0;  // pixel
 
 void main() {
     vec3 to_eye = normalize(eye.xyz - point);
-    float pixel = distance(eye.xyz, point) * 1.1 * viewport.w;
+    float pixel = distance(eye.xyz, point) * 1.1 * viewport.w * magnified.x;
     float strength = length(force), along = strength * full_length;
     vec3 direction = force / max(strength, 1e-9);
     vec3 side = normalize(cross(direction, to_eye) + vec3(1e-6, 0.0, 0.0));

@@ -13,7 +13,7 @@ void main() {
     vec4 first = is_mode ? mode_spring[0] : failure[0], last = is_mode ? mode_spring[1] : failure[1];
     vec4 from = view_projection * vec4(first.xyz, 1.0), to = view_projection * vec4(last.xyz, 1.0);
     ink = is_mode ? vec3(0.92, 0.16, 0.08) : vec3(1.0);
-    scale = max(page.y / 720.0, 0.6) * magnified.x;
+    scale = max(viewport.y / 720.0, 0.6 * magnified.x);
     vec2 start = from.xy / from.w * 0.5 * viewport.xy, end = to.xy / to.w * 0.5 * viewport.xy;
     along = is_ring ? 0.0 : length(end - start);
     vec2 ahead = along > 0.5 ? (end - start) / along : vec2(1.0, 0.0);

@@ -9,7 +9,7 @@ layout(std140) uniform Frame {
     vec4 page;           // the same of the picture, for the panels
     vec4 stage;          // centre x, height of the ground, centre z, radius [m]
     vec4 shadow;         // a texel of the shadow map [m], the particles' spacing [m]; of the map in a metre, [1/m]
-    vec4 magnified;      // x: how much smaller the scene is drawn than it is shown, in (0, 1]
+    vec4 magnified;      // x: pixels that the scene is drawn with for one that is shown on a usual display
     ivec4 counts;        // structural springs, shear springs, segments of a sphere's circle, balls that darken
     vec4 balls[8];       // centre, radius [m]
     vec4 node_colours[9];  // by what the last query did with a node; compared, stretched, compressed

@@ -1,8 +1,10 @@
 #version 330 core
 #include "frame.glsl"
 #include "cover.glsl"
+#include "balls.glsl"
 out vec3 world;
 out vec3 cover;
+out float open;  // what the balls leave of the light from around
 
 // What the shadow map covers of the ground, as one strip of triangles an instance
 const int cells = 40;
@@ -15,9 +17,10 @@ void main() {
     world = mix(near, far, (stage.y - near.y) / (far.y - near.y));
     cover = cover_of(world, vec3(0.0, 1.0, 0.0), reach);
 
-    // It ends as if nothing cast beyond
-    vec2 inside = 1.0 - abs(corner);
-    if (min(inside.x, inside.y) < 1e-4) cover = vec3(0.0);
+    // It ends as if nothing cast beyond; what balls darken reaches far, and fades before
+    float inside = min(1.0 - abs(corner.x), 1.0 - abs(corner.y));
+    if (inside < 1e-4) cover = vec3(0.0);
+    open = mix(1.0, ball_ambient(world, vec3(0.0, 1.0, 0.0)), smoothstep(0.0, 0.5, inside));
     gl_Position = view_projection * vec4(world, 1.0);
     if (eye.y <= stage.y) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

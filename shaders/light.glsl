@@ -1,4 +1,5 @@
 // One soft key light, light from all around, and what both look like on the screen.
+#include "balls.glsl"
 uniform sampler2DShadow shadow_map;
 
 const vec3 key_colour = vec3(1.00, 0.945, 0.87) * 1.45;
@@ -41,18 +42,6 @@ float key_visibility(vec3 point, vec3 normal, vec3 cover, int most) {
         way = turn * way;
     }
     return sum / float(max(samples, 1));
-}
-
-// The part of the light from all around that the balls leave
-float ball_ambient(vec3 point, vec3 normal) {
-    float ambient = 1.0;
-    for (int i = 0; i < counts.w; ++i) {
-        vec3 to_ball = balls[i].xyz - point;
-        float distance2 = max(dot(to_ball, to_ball), balls[i].w * balls[i].w);
-        float facing = max(dot(normal, to_ball) * inversesqrt(distance2), 0.0);
-        ambient *= 1.0 - 0.85 * facing * balls[i].w * balls[i].w / distance2;
-    }
-    return ambient;
 }
 
 // Of the sky above, and of the ground below in its colour

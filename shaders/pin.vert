@@ -13,7 +13,7 @@ void main() {
     float pixels = viewport.y * 1.45 / distance(eye.xyz, position);  // in a metre there
     float least = 5.0 * magnified.x;
     size = clamp(0.014 * pixels, least, max(0.6 * shadow.y * pixels, least)) + magnified.x;
-    if (is_held > 0.5) size = 22.0 * max(page.y / 720.0, 0.6) * magnified.x;
+    if (is_held > 0.5) size = 22.0 * max(viewport.y / 720.0, 0.6 * magnified.x);
     gl_PointSize = size;
     vec3 world = position + (eye.xyz - position) * (is_held > 0.5 ? 0.03 : 0.006);
     gl_Position = pinned > 0.5 ? view_projection * vec4(world, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);

@@ -13,9 +13,8 @@ float lines(vec2 at, float period, float width) {
 // `world` is a point on the ground, or far away.
 vec4 studio(vec3 world, bool is_ground) {
     float away = length(world.xz - stage.xz) / stage.w;
-    float ambient = ball_ambient(world, vec3(0.0, 1.0, 0.0));
     float pool = 1.0 / (1.0 + 0.22 * away * away);
-    vec3 light = key_colour * to_light.y * pool + sky_light() * ambient * (0.4 + 0.6 * pool);
+    vec3 light = key_colour * to_light.y * pool + sky_light() * (0.4 + 0.6 * pool);
 
     // Polished concrete: clouds, and a dull mirror of the wall
     vec2 at = world.xz * 2.3;
@@ -23,7 +22,7 @@ vec4 studio(vec3 world, bool is_ground) {
     vec3 ground = ground_colour() * (1.0 + 0.07 * clouds) * light;
     for (int i = 0; i < look.z; ++i) ground *= 1.0 - 0.12 * lines(world.xz, 0.1, 0.0022) - 0.16 * lines(world.xz, 1.0, 0.005);
     vec3 ahead = normalize(world - eye.xyz);
-    float mirrored = 0.5 * pow(1.0 - abs(ahead.y), 5.0) * ambient;
+    float mirrored = 0.5 * pow(1.0 - abs(ahead.y), 5.0);
     ground = mix(ground, wall(vec3(ahead.x, -ahead.y, ahead.z)), mirrored);
     float fade = is_ground ? smoothstep(0.3, 2.6, away) : 1.0;
     vec3 shown = mix(ground, wall(ahead), fade);

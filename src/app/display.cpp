@@ -1,13 +1,16 @@
 #include "display.h"
 
 #include "drape/base/assert.h"
+#include "drape/base/numbers.h"
 
 #include <GL/glew.h>
 #include <GL/glx.h>
 #include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace drape {
 
@@ -28,6 +31,28 @@ double display_rate() {
     if (rate_of(display, glXGetCurrentDrawable(), &numerator, &denominator) == 0) return usual;
     const double rate = denominator > 0 ? double(numerator) / denominator : 0;
     return rate >= 24 && rate <= 500 ? rate : usual;
+}
+
+double display_scale() {
+    constexpr double usual = 96, most = 4;
+    const std::shared_ptr<void> display = open_display();
+    const char* const text = display ? XGetDefault(static_cast<Display*>(display.get()), "Xft", "dpi") : nullptr;
+    const double scale = text == nullptr ? 1 : parse_real(text).value_or(usual) / usual;
+    return scale >= 1 ? std::min(scale, most) : 1;
+}
+
+void wait_for_refresh() {
+    Display* display = glXGetCurrentDisplay();
+    if (display == nullptr) return;
+    const char* const known = glXQueryExtensionsString(display, DefaultScreen(display));
+    const auto has = [&](const char* name) { return known != nullptr && std::strstr(known, name) != nullptr; };
+    const auto function = [](const char* name) { return glXGetProcAddress(reinterpret_cast<const GLubyte*>(name)); };
+    if (has("GLX_EXT_swap_control")) {
+        using Set = void (*)(Display*, GLXDrawable, int);
+        reinterpret_cast<Set>(function("glXSwapIntervalEXT"))(display, glXGetCurrentDrawable(), 1);
+    } else if (has("GLX_MESA_swap_control")) {
+        reinterpret_cast<int (*)(unsigned)>(function("glXSwapIntervalMESA"))(1);
+    }
 }
 
 bool window_has_keyboard() {

@@ -11,6 +11,13 @@ std::shared_ptr<void> open_display();
 /// Pictures a second that the display of the current window shows; 60 where the driver does not tell.
 double display_rate();
 
+/// How many pixels the display has for one of a usual display, as its user has set it for text (`Xft.dpi` in its
+/// resources over 96), from 1 to 4.
+double display_scale();
+
+/// Has each picture of the current window shown with the display's next refresh, where the driver can.
+void wait_for_refresh();
+
 /// Whether the keyboard belongs to the current window, or to whatever is under the pointer.
 bool window_has_keyboard();
 

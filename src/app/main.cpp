@@ -29,7 +29,7 @@ namespace {
     const std::size_t frames = options.tour ? tour_stops().size() : 120;
     const std::string program = (program_folder() / "drape-capture").string();
     const std::string out = std::filesystem::absolute("drape-frames").string();
-    const std::string size = std::to_string(options.size.width) + "x" + std::to_string(options.size.height);
+    const std::string size = size_text(options.size.value_or(PictureSize{}));
     std::vector<std::string> words{program};
     if (options.tour) {
         words.emplace_back("--tour");

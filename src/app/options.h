@@ -11,10 +11,10 @@ namespace drape {
 /// What the command line of `drape` asks for.
 struct Options {
     StartOptions start;
-    std::string record;  ///< file to write; empty: none
-    PictureSize size;    ///< of the window
-    bool tour = false;   ///< begin with the tour
-    bool check = false;  ///< end at the first fault of OpenGL, or number that is not finite
+    std::string record;               ///< file to write; empty: none
+    std::optional<PictureSize> size;  ///< of the window; nothing: as it was last, and that is kept
+    bool tour = false;                ///< begin with the tour
+    bool check = false;               ///< end at the first fault of OpenGL, or number that is not finite
 };
 
 /// @return nothing if the command line asked for text (`--help`, `--version`), which was printed

@@ -12,6 +12,7 @@
 #include "drape/base/run_program.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
+#include "window_size.h"
 
 namespace drape {
 
@@ -20,6 +21,17 @@ namespace {
 constexpr double hidden_tick = 0.1;   // s between ticks while there is nothing to draw
 constexpr double min_budget = 0.025;  // s for the steps of one frame
 constexpr double asleep_tick = 0.5;   // s between pictures of what sleeps, whose time goes on
+
+bool keeps_size(const Options& options) { return !options.size && !options.check; }
+
+PictureSize first_size(const Options& options, double display_scale) {
+    PictureSize size = options.size.value_or(PictureSize{});
+    if (!keeps_size(options)) return size;
+    const PictureSize screen{glutGet(GLUT_SCREEN_WIDTH), glutGet(GLUT_SCREEN_HEIGHT)};
+    size = {std::min(static_cast<int>(size.width * display_scale), screen.width),
+            std::min(static_cast<int>(size.height * display_scale), screen.height)};
+    return kept_window_size(screen).value_or(size);
+}
 
 }  // namespace
 
@@ -31,18 +43,23 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       shown_(camera_),
       video_(signals),
       first_scene_(session.simulation().scene()),
-      assignments_(options.start.assignments) {
+      assignments_(options.start.assignments),
+      keeps_size_(keeps_size(options)) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
     if (options.check) check_.emplace();
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    glutInitWindowSize(options.size.width, options.size.height);
+    const double scale = display_scale();
+    const auto [width, height] = first_size(options, scale);
+    glutInitWindowSize(width, height);
     window_ = glutCreateWindow("Drape");
     start_glew();
+    wait_for_refresh();
     if (check_) check_->listen();
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
+    renderer_->panels().display_scale = scale;
     start_scene();
     renderer_->panels().hint = first_hints(!session.simulation().balls().empty());
     hinting_ = true;
@@ -59,6 +76,7 @@ int Window::run() {
     glutMainLoop();
     if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
     if (failure_) std::rethrow_exception(failure_);
+    if (keeps_size_ && width_ > 0 && height_ > 0) keep_window_size({width_, height_});
     return signal_ == 0 ? 0 : 128 + signal_;
 }
 

@@ -135,6 +135,7 @@ private:
     SceneWatch scene_watch_;
     std::string first_scene_;  ///< with which the program began, and the settings that it was given
     std::vector<std::string> assignments_;
+    bool keeps_size_;               ///< for the next time
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]

@@ -49,32 +49,6 @@ std::string find_program(const std::string& name) {
     return "";
 }
 
-/// What a child starts with: it would inherit what is blocked here, and what this program ignores for itself.
-class Attributes {
-public:
-    explicit Attributes(bool own_group) {
-        posix_spawnattr_init(&attributes_);
-        sigset_t none, ours;
-        sigemptyset(&none);
-        sigemptyset(&ours);
-        sigaddset(&ours, SIGPIPE);
-        sigaddset(&ours, SIGXFSZ);
-        posix_spawnattr_setsigmask(&attributes_, &none);
-        posix_spawnattr_setsigdefault(&attributes_, &ours);
-        posix_spawnattr_setpgroup(&attributes_, 0);
-        const int flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | (own_group ? POSIX_SPAWN_SETPGROUP : 0);
-        posix_spawnattr_setflags(&attributes_, static_cast<short>(flags));
-    }
-    ~Attributes() { posix_spawnattr_destroy(&attributes_); }
-    Attributes(const Attributes&) = delete;
-    Attributes& operator=(const Attributes&) = delete;
-
-    [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
-private:
-    posix_spawnattr_t attributes_{};
-};
-
 }  // namespace
 
 ChildProgram::ChildProgram(std::vector<std::string> words, Input input, const std::filesystem::path& folder) {
@@ -93,8 +67,22 @@ ChildProgram::ChildProgram(std::vector<std::string> words, Input input, const st
     posix_spawn_file_actions_init(&actions);
     if (fed) posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    // It would inherit what is blocked here, and what this program ignores for itself
+    sigset_t none, ours;
+    sigemptyset(&none);
+    sigemptyset(&ours);
+    sigaddset(&ours, SIGPIPE);
+    sigaddset(&ours, SIGXFSZ);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setsigdefault(&attributes, &ours);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    const int flags = POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | (fed ? POSIX_SPAWN_SETPGROUP : 0);
+    posix_spawnattr_setflags(&attributes, static_cast<short>(flags));
     const std::vector<char*> arguments = pointers_to(words);
-    error_ = posix_spawn(&process_, program.c_str(), &actions, Attributes(fed).get(), arguments.data(), environ);
+    error_ = posix_spawn(&process_, program.c_str(), &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (error_ != 0) process_ = -1;
     if (!fed) return;

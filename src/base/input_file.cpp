@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <iterator>
@@ -25,48 +26,58 @@ std::string odd_kind(mode_t mode) {
 /// Whether a name means what somebody has opened for us: that cannot wait for an opener.
 bool is_open_already(const std::string& name) { return name == "/dev/stdin" || name.starts_with("/dev/fd/"); }
 
+class Buffer : public std::streambuf {
+public:
+    Buffer(const std::string& name, std::uintmax_t largest, InputKind kind) : name_(name), left_(largest) {
+        // Without O_NONBLOCK a pipe would wait for its writer before it could be told from a file
+        file_ = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+        struct stat status {};
+        if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+        const std::string odd = odd_kind(status.st_mode);
+        const bool open_already = kind == InputKind::RegularOrOpen && is_open_already(name) && !S_ISDIR(status.st_mode);
+        if (!odd.empty() && !open_already) {
+            ::close(file_);
+            fail("is " + odd + ": allowed a regular file");
+        }
+        if (odd.empty() && static_cast<std::uintmax_t>(status.st_size) > largest) {
+            ::close(file_);
+            fail(std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest));
+        }
+        ::fcntl(file_, F_SETFL, ::fcntl(file_, F_GETFL) & ~O_NONBLOCK);
+    }
+    ~Buffer() override { ::close(file_); }
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+
+protected:
+    int_type underflow() override {
+        ssize_t count = 0;
+        do {
+            count = ::read(file_, bytes_.data(), bytes_.size());
+        } while (count < 0 && errno == EINTR);
+        if (count < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
+        if (count == 0) return traits_type::eof();
+        if (static_cast<std::uintmax_t>(count) > left_) fail("has more bytes than are allowed");
+        left_ -= static_cast<std::uintmax_t>(count);
+        setg(bytes_.data(), bytes_.data(), bytes_.data() + count);
+        return traits_type::to_int_type(bytes_[0]);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const { throw InputError(name_ + ": " + why); }
+
+    std::string name_;
+    std::uintmax_t left_;  ///< bytes that may still come
+    int file_ = -1;
+    std::array<char, 1 << 16> bytes_{};
+};
+
 }  // namespace
-
-InputFile::Buffer::Buffer(const std::string& name, std::uintmax_t largest, InputKind kind)
-    : name_(name), left_(largest) {
-    // Without O_NONBLOCK a pipe would wait for its writer before it could be told from a file
-    file_ = ::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    struct stat status {};
-    if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
-    const std::string odd = odd_kind(status.st_mode);
-    const bool open_already = kind == InputKind::RegularOrOpen && is_open_already(name) && !S_ISDIR(status.st_mode);
-    if (!odd.empty() && !open_already) {
-        ::close(file_);
-        fail("is " + odd + ": allowed a regular file");
-    }
-    if (odd.empty() && static_cast<std::uintmax_t>(status.st_size) > largest) {
-        ::close(file_);
-        fail(std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest));
-    }
-    ::fcntl(file_, F_SETFL, ::fcntl(file_, F_GETFL) & ~O_NONBLOCK);
-}
-
-InputFile::Buffer::~Buffer() { ::close(file_); }
-
-InputFile::Buffer::int_type InputFile::Buffer::underflow() {
-    ssize_t count = 0;
-    do {
-        count = ::read(file_, bytes_.data(), bytes_.size());
-    } while (count < 0 && errno == EINTR);
-    if (count < 0) fail(std::string("cannot be read: ") + std::strerror(errno));
-    if (count == 0) return traits_type::eof();
-    if (static_cast<std::uintmax_t>(count) > left_) fail("has more bytes than are allowed");
-    left_ -= static_cast<std::uintmax_t>(count);
-    setg(bytes_.data(), bytes_.data(), bytes_.data() + count);
-    return traits_type::to_int_type(bytes_[0]);
-}
-
-void InputFile::Buffer::fail(const std::string& why) const { throw InputError(name_ + ": " + why); }
 
 // A stream that throws for a bad read hands on what its buffer has thrown
 InputFile::InputFile(const std::string& name, std::uintmax_t largest, InputKind kind)
-    : std::istream(nullptr), buffer_(name, largest, kind) {
-    rdbuf(&buffer_);
+    : std::istream(nullptr), buffer_(std::make_unique<Buffer>(name, largest, kind)) {
+    rdbuf(buffer_.get());
     exceptions(std::ios::badbit);
 }
 

@@ -1,5 +1,6 @@
 #include "drape/base/numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -37,6 +38,11 @@ std::optional<std::pair<long long, long long>> parse_integers(std::string_view t
     return std::pair(*first, *second);
 }
 
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
 std::vector<std::string_view> split_at_commas(std::string_view text) {
     std::vector<std::string_view> pieces;
     for (std::size_t comma = 0; (comma = text.find(',')) != std::string_view::npos; text.remove_prefix(comma + 1)) {
@@ -48,10 +54,8 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
 
 std::optional<std::vector<double>> parse_reals(std::string_view text) {
     std::vector<double> numbers;
-    for (std::string_view word : split_at_commas(text)) {
-        while (word.starts_with(' ') || word.starts_with('\t')) word.remove_prefix(1);
-        while (word.ends_with(' ') || word.ends_with('\t')) word.remove_suffix(1);
-        const auto number = parse_real(word);
+    for (const std::string_view word : split_at_commas(text)) {
+        const auto number = parse_real(trimmed(word));
         if (!number) return std::nullopt;
         numbers.push_back(*number);
     }

@@ -241,7 +241,7 @@ BoundingSphere (*fit_of(SphereFit kind))(const Patch&) {
     constexpr std::array fits{Passes::centroid_sphere,    fit_box_sphere<Passes>,     fit_ritter_sphere<Passes>,
                               fit_epos_sphere<Passes, 3>, fit_epos_sphere<Passes, 7>, fit_epos_sphere<Passes, 13>,
                               fit_welzl_sphere<Passes>};
-    static_assert(fits.size() == enum_names<SphereFit>.size(), "every kind has its fit");
+    static_assert(fits.size() == enum_count<SphereFit>, "every kind has its fit");
     return fits[static_cast<std::size_t>(kind)];
 }
 

@@ -10,9 +10,6 @@ namespace drape {
 /// Who draws without a display: whichever can be made, Mesa's off-screen library, or EGL without a surface.
 enum class ContextKind { Auto, Osmesa, Egl };
 
-template <>
-inline constexpr auto enum_names<ContextKind> = all_names<ContextKind>("auto", "osmesa", "egl");
-
 /// An OpenGL 3.3 core context without a display, current from construction to destruction.
 class GlContext {
 public:

@@ -19,6 +19,7 @@
     DO(void, glEnable, (GLenum what), (what))                                                                       \
     DO(void, glGenTextures, (GLsizei n, GLuint * textures), (n, textures))                                          \
     DO(void, glGetIntegerv, (GLenum name, GLint * values), (name, values))                                          \
+    DO(void, glLineWidth, (GLfloat width), (width))                                                                 \
     DO(void, glPixelStorei, (GLenum name, GLint value), (name, value))                                              \
     DO(void, glPolygonMode, (GLenum face, GLenum mode), (face, mode))                                               \
     DO(void, glReadBuffer, (GLenum buffer), (buffer))                                                               \

@@ -1,11 +1,18 @@
 # caption: How far the motion of a scene moves where one knob is as in its full model (the step: half as long), and how
 # caption: many times the scene's cost that is.
 # How far the motion moves where one knob at a time is as in the full model, and what that costs: a group a scene.
-# scenes; cost_SCENE: of the scene as it is [s/s]
 knobs = 'particles bend drag integrator dt'
 titles = '"particles of the full model" "bend springs" "drag" "Dormand-Prince" "half the step"'
 array colours[5] = [blue, sky, pink, orange, green]
 mine = "(is('part', 'budget') && place(scenes, strcol('scene')) > 0 && place(knobs, strcol('changed')) > 0)"
+# Scenes, and cost_SCENE of each as it is [s/s]
+scenes = ''
+as_it_is(scene) = is('part', 'budget') && is('scene', scene) && is('changed', 'none')
+stats table using (is('part', 'budget') ? (scenes = listed(scenes, strcol('scene')), 0) : 0) nooutput
+do for [scene in scenes] {
+  stats table using (as_it_is(scene) ? (cost = column('cost_s_per_s'), 0) : 0) nooutput
+  eval sprintf('cost_%s = %.17g', scene, cost)
+}
 # From top to bottom: the rows of a scene, and what its need allows
 rows = 0; high = 1e-9; part_of_allowed = 0
 array allowed[20]; array first_row[20]; array last_row[20]

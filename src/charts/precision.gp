@@ -1,15 +1,27 @@
 # caption: Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) over a ladder of
 # caption: steps: left is more exact, down is cheaper. The order is fitted to the finest points.
 # A work-precision diagram: a panel for each family of methods, a line for each method, a point for each step.
-# scene, particles, stiffness [N/m], horizon [s]; methods: those with points; order_METHOD where one was found
-# overall: 1 if sag, centre of mass and energy are compared in place of positions
-# least_error, most_error, least_cost, most_cost: of all points; data: the Pareto front, points that no other one beats
+# scene; order_METHOD where one was found
 eval paper(900)
 families = 'explicit implicit positional'
 explicit = 'explicit_euler symplectic_euler velocity_verlet rk4 dormand_prince'
 implicit = 'backward_euler implicit_midpoint_clamped implicit_midpoint_exact bdf2_clamped bdf2_exact'
 positional = 'xpbd_1 xpbd_5 xpbd_20 projective_dynamics_5 projective_dynamics_20'
-point(method) = is('scene', scene) && is('method', method) && is('end', 'bounded')
+here = "(is('scene', scene) && is('end', 'bounded'))"
+point(method) = is('method', method) && @here
+# All points: how many, of which methods, and within which ranges
+methods = ''; points = 0; least_error = 1e9; most_error = 0; least_cost = 1e9; most_cost = 0
+noted(method, error, cost) = (points = points + 1, methods = listed(methods, method), \
+  least_error = least(least_error, error), most_error = most(most_error, error), \
+  least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), \
+  particles = column('particles'), stiffness = column('stiffness_N_per_m'), 0)
+stats table using (@here ? noted(strcol('method'), column('error'), column('cost_s_per_s')) : 0) nooutput
+# The Pareto front: points that no other one beats in both numbers
+array errors[points]; array costs[points]
+points = 0
+kept(error, cost) = (points = points + 1, errors[points] = error, costs[points] = cost, 0)
+stats table using (@here ? kept(column('error'), column('cost_s_per_s')) : 0) nooutput
+beaten(error, cost) = sum [k = 1:points] (errors[k] <= error && costs[k] <= cost && (errors[k] < error || costs[k] < cost))
 # The cheapest within an error
 cheapest = ''
 within(allowed) = sprintf("best = 1e9; cheapest = 'none'; do for [method in methods] { stats table using (point(method) && \
@@ -30,13 +42,12 @@ low = least_error * 10**(-0.33 * decades); high = most_error * 10**(0.05 * decad
 set object 1 rectangle from 1e-3, graph 0 to least(1e-2, high), graph 1 behind fc rgb '#f0f0e0' fs noborder
 array colours[5] = [black, orange, blue, red, green]
 dash(method) = strstrt(method, 'exact') ? 2 : 1
-there(method) = strstrt(' '.methods.' ', ' '.method.' ') > 0
 order(method) = exists('order_'.method) ? sprintf(', order %.2g', value('order_'.method)) : ', no order'
 set style textbox opaque noborder margins 0.3,0.1 fc rgb '#60ffffff'
 near_x(i, j) = abs(log10(end_x[i] / end_x[j])) < 0.25 * decades
 do for [family in families] {
   shown = ''
-  do for [method in value(family)] { if (there(method)) { shown = shown.' '.method } }
+  do for [method in value(family)] { if (place(methods, method) > 0) { shown = shown.' '.method } }
   eval forget
   set autoscale
   do for [k = 1:words(shown)] {
@@ -51,10 +62,11 @@ do for [family in families] {
     eval label_at(k, name_of(word(shown, k)).order(word(shown, k)), colours[k], on_left(k) ? 'right' : 'left').' boxed'
   }
   set label 11 family at graph 0, graph 0 left offset 1,1 font ',13'
-  if (family eq 'positional') { set xlabel overall ? 'error of sag, centre of mass and energy' : 'RMS position error / side of the cloth' }
+  if (family eq 'positional') { set xlabel 'RMS position error / side of the cloth' }
   set xrange [low:high]
   set yrange [least_cost / 1.6:most_cost * 1.6]
-  plot data using 1:2 with lines lw 6 lc rgb pale, \
+  plot table using (only(@here && !beaten(column('error'), column('cost_s_per_s')), column('error'))):(column('cost_s_per_s')) \
+         smooth unique with lines lw 6 lc rgb pale title 'Pareto front', \
        for [k = 1:words(shown)] table using (only(point(word(shown, k)), column('error'))):(column('cost_s_per_s')) \
          :(column('cost_lower_s_per_s')):(column('cost_upper_s_per_s')) \
          with yerrorlines pt 7 ps 0.6 lw 1.5 dt dash(word(shown, k)) lc rgb colours[k]

@@ -110,8 +110,11 @@ int simulate(SimulateOptions& options) {
          real_text(watch.seconds(), 3) + " s");
     if (!session.replay_notice().empty()) tell(session.replay_notice());
     if (options.start.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
-    const std::string doubt = session.simulation().run_warning();
-    if (!doubt.empty() && report.status == Status::Ok) tell("warning: " + doubt);
+    const bool is_whole = report.status == Status::Ok;
+    for (const std::string& doubt :
+         {session.simulation().crossing_warning(), is_whole ? session.simulation().run_warning() : std::string()}) {
+        if (!doubt.empty()) tell("warning: " + doubt);
+    }
     if (const int signal = signals.arrived()) return 128 + signal;
     return report.status == Status::Ok && !session.replay_differs() ? Done : Failed;
 }

@@ -117,7 +117,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine({line.x, bottom}, {end, bottom}, ink::groove);
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), ink::bar, ImDrawFlags_None, 1.5f);
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), ink::bar, ImDrawFlags_None, curve_width());
     text_at({line.x, line.y}, ink::quiet, millimetres(largest) + " mm");
     return panel.x;
 }

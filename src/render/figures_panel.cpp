@@ -121,13 +121,22 @@ Row candidates_row(const FrameView& view) {
     return {"candidates", text, -1, 2};
 }
 
-// What the hierarchy saves of the time, where that was measured
+// Whether the hierarchy leaves more than half of the cells that brute force tests: then no update, however cheap, saves
+// much
+bool is_near_most(const FrameView& view) {
+    return 2 * static_cast<double>(view.report->traversal.candidates) > tests_of_brute_force(view);
+}
+
+// What the hierarchy saves of the time, where that was measured; else why it does not, and what to press: another
+// update or volume, or the scene `large`
 void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr) return;
     const double time = view.search->hierarchy, brute = view.search->brute_force;
     rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
     rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
                     brute > time ? ink::good : ink::wait});
+    if (brute > time) return;
+    rows.push_back({"why slower", is_near_most(view) ? "large ball: see 9" : "slow update: U, T", -1, 2, ink::wait});
 }
 
 // What it saves of the tests that brute force makes. Where a cloth is small and most of it near a ball, that is none.
@@ -137,7 +146,8 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
     if (all == 0 || made == 0) return;
     const double saved = 1 - made / all;
-    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : "none";
+    const std::string none = is_near_most(view) ? "none: large ball" : "none";
+    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : none;
     rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
 }
 

@@ -198,11 +198,12 @@ Extent drawn_extent(const FrameView& view) {
 }
 
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
-                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders) {
+                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders,
+                          double display_scale) {
     FrameData data{};
     data.viewport = sides_and_inverses(drawn);
     data.page = sides_and_inverses(picture);
-    data.magnified.x() = data.viewport.y() / data.page.y();
+    data.magnified.x() = static_cast<float>(display_scale) * data.viewport.y() / data.page.y();
     const float aspect = data.page.x() / data.page.y();
     data.view_projection = camera.projection_matrix(aspect) * camera.view_matrix();
     data.inverse_view_projection = data.view_projection.inverse();
@@ -220,8 +221,8 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
 
     const auto colour_of = [](const LineLook& look) { return Eigen::Vector4f(look.colour.data()); };
     std::ranges::transform(node_looks, data.node_colours.begin(), colour_of);
-    // Their lines are a pixel wide; those that are magnified are fainter instead
-    for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= data.magnified.x();
+    // Their lines are a pixel wide at least; those that are magnified are fainter instead
+    for (Eigen::Vector4f& colour : data.node_colours) colour.w() *= std::min(data.magnified.x(), 1.0f);
     std::ranges::transform(value_colours, data.value_colours.begin(), linear);
     std::ranges::transform(group_colours, data.group_colours.begin(), linear);
     const ColourBy by = settings.colour;

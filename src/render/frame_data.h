@@ -23,7 +23,7 @@ struct FrameData {
     Eigen::Vector4f page;       ///< the same of the picture, for the panels
     Eigen::Vector4f stage;      ///< centre x, height of the ground, centre z, radius [m]
     Eigen::Vector4f shadow;     ///< a texel of the shadow map, the particles' spacing [m]; its part in a metre, twice
-    Eigen::Vector4f magnified;  ///< x: how much smaller the scene is drawn than it is shown, in (0, 1]
+    Eigen::Vector4f magnified;  ///< x: pixels that the scene is drawn with for one that is shown on a usual display
     std::array<int, 4> counts;  ///< structural springs, shear springs, segments of a sphere's circle, balls that darken
     std::array<Eigen::Vector4f, most_balls> balls;  ///< centre, radius [m]
     std::array<Eigen::Vector4f, 9> node_colours;    ///< by `NodeState`
@@ -60,7 +60,9 @@ Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number);
 /// The block but for its `counts`.
 /// @param drawn what the scene is drawn into, in the shape of the picture
 /// @param holders of which the thick ones cast shadows too
+/// @param display_scale as in `Panels`
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
-                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders = {});
+                          const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders = {},
+                          double display_scale = 1);
 
 }  // namespace drape

@@ -62,4 +62,8 @@ PictureSize parse_size(const std::string& text) {
     return {static_cast<int>(size->first), static_cast<int>(size->second)};
 }
 
+std::string size_text(const PictureSize& size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
 }  // namespace drape

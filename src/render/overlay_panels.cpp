@@ -44,9 +44,14 @@ void add_fonts(std::array<PanelFont, font_sizes.size()>& fonts) {
 }
 
 // The largest font that is not larger than a window of that size should have; one more is left for titles
-std::size_t font_for(int width, int height, double scale) {
-    const int side = std::min(height, 2 * width / 3);
-    const double wanted = scale * (side < 600 ? 11 : side < 1000 ? 14 : side < 1300 ? 17 : side < 1800 ? 22 : 28);
+std::size_t font_for(int width, int height, double text_scale, double display_scale) {
+    const double side = std::min(height, 2 * width / 3) / display_scale;
+    const double wanted = text_scale * display_scale *
+                          (side < 600    ? 11
+                           : side < 1000 ? 14
+                           : side < 1300 ? 17
+                           : side < 1800 ? 22
+                                         : 28);
     std::size_t size = 0;
     while (size + 2 < font_sizes.size() && static_cast<double>(font_sizes[size + 1]) <= wanted) ++size;
     return size;
@@ -225,7 +230,11 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     ImGui::GetIO().DeltaTime = 1.0f / 60;
     ImGui::GetIO().UserData = &boxes_;
     boxes_.clear();
-    std::size_t size = font_for(width, height, shown.text_scale);
+    if (std::exchange(style_scale_, display_scale) != display_scale) {
+        set_style();
+        ImGui::GetStyle().ScaleAllSizes(static_cast<float>(display_scale));
+    }
+    std::size_t size = font_for(width, height, shown.text_scale, display_scale);
     while (size > 0 && !panels_fit(shown, hinted, w, h, font_sizes[size])) --size;
     const float margin = margin_for(font_sizes[size]);
 

@@ -91,6 +91,7 @@ private:
     std::shared_ptr<ImGuiContext> context_;
     Input input_;
     std::array<PanelFont, 8> fonts_{};  ///< from small to large
+    double style_scale_ = 1;            ///< for which Dear ImGui's widgets have their sizes
 };
 
 }  // namespace drape

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ inline void draw_panel(const PanelBox& box) {
 }
 
 inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+/// Of curves [pixel].
+inline float curve_width() { return std::max(1.5f, 0.1f * ImGui::GetFontSize()); }
 
 /// Text from a point of the picture on.
 inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {

@@ -60,7 +60,8 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
                 const auto back = static_cast<float>((end - history.time(k)) / span);
                 points[k - oldest] = {right - back * (right - left), level(history.value(k, c))};
             }
-            list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None, 1.5f);
+            list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None,
+                             curve_width());
         }
 
         // Title, present value of the first curve, axis and legend

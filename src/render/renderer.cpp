@@ -115,7 +115,8 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
 
     // Everything into the one buffer, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
-    FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders());
+    FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders(),
+                                     panels.display_scale);
     const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
     solids.fill(view, colours, {camera.eye(), pixels}, stream);
     marks.fill(view, crosses.lines(), stream);
@@ -147,6 +148,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room());
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
+    gl(glLineWidth, std::max(data.magnified.x(), 1.0f));
     gl(glDisable, GL_BLEND);
     solids.draw(shown, stream);
     studio.draw_behind();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 
 #include "frame_data.h"
@@ -9,8 +8,8 @@
 
 namespace drape {
 
-/// The ground and the wall behind it. What no shadow falls on is drawn once, for as long as camera, size and balls stay
-/// as they are.
+/// The ground and the wall behind it. What no shadow falls on is drawn once, for as long as camera and size stay as
+/// they are.
 class Studio {
 public:
     explicit Studio(Gl& gl)
@@ -68,8 +67,7 @@ private:
     // Whether two frames show the same studio, but for shadows
     static bool same_studio(const FrameData& a, const FrameData& b) {
         return a.view_projection == b.view_projection && a.eye == b.eye && a.viewport == b.viewport &&
-               a.stage == b.stage && a.look[2] == b.look[2] && a.style == b.style && a.counts[3] == b.counts[3] &&
-               std::equal(a.balls.begin(), a.balls.begin() + a.counts[3], b.balls.begin());
+               a.stage == b.stage && a.look[2] == b.look[2] && a.style == b.style;
     }
 
     Gl& gl_;

@@ -1,6 +1,7 @@
 #include "drape/scene/same_motion.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "drape/integrate/stability.h"
 
@@ -22,11 +23,6 @@ Settings laws_of(Settings settings, bool limited) {
     return settings;
 }
 
-bool same_start(const ClothParameters& a, const ClothParameters& b) {
-    return a.particles == b.particles && a.width == b.width && a.height == b.height && a.plane == b.plane &&
-           a.origin() == b.origin();
-}
-
 }  // namespace
 
 bool same_motion(const Settings& a, const Settings& b) {
@@ -38,9 +34,10 @@ bool same_motion(const Settings& a, const Settings& b) {
 }
 
 bool same_start(const Settings& a, const Settings& b) {
-    return a.start == b.start && std::ranges::equal(a.cloths, b.cloths, [](const auto& one, const auto& other) {
-               return same_start(one, other);
-           });
+    const auto start_of = [](const ClothParameters& cloth) {
+        return std::tuple(cloth.particles, cloth.width, cloth.height, cloth.plane, cloth.origin());
+    };
+    return a.start == b.start && std::ranges::equal(a.cloths, b.cloths, {}, start_of, start_of);
 }
 
 bool same_integrator(const SolverSettings& a, const SolverSettings& b) {

@@ -1,12 +1,17 @@
 #include "drape/scene/scene.h"
 
+// The parser's own assertions abort on bad input; without them it reports an error as it should.
+#define TOML_HEADER_ONLY 1
+#define TOML_ASSERT(condition) static_cast<void>(0)
+#include <toml++/toml.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/resources.h"
 #include "drape/scene/setting_table.h"
-#include "toml_value.h"
 
 namespace drape {
 namespace {
@@ -14,12 +19,82 @@ namespace {
 constexpr std::size_t largest_scene = 256 * 1024;
 constexpr std::size_t longest_scene_line = 4 * 1024;
 
-/// Reads one parsed scene into settings.
+std::optional<double> number_of(const toml::node& node) {
+    if (const auto* real = node.as_floating_point()) return real->get();
+    if (const auto* integer = node.as_integer()) return static_cast<double>(integer->get());
+    return std::nullopt;
+}
+
+/// The numbers of an array, or of its rows one after another where rows are wanted.
+bool append_numbers(const toml::array& array, bool rows, std::vector<double>& values) {
+    for (const toml::node& entry : array) {
+        if (rows) {
+            const toml::array* row = entry.as_array();
+            if (row == nullptr || row->size() != 4 || !append_numbers(*row, false, values)) return false;
+        } else {
+            const auto number = number_of(entry);
+            if (!number) return false;
+            values.push_back(*number);
+        }
+    }
+    return true;
+}
+
+/// A node's value in the form that a kind of setting has; nothing if the node is of another type.
+std::optional<SettingValue> toml_value(const toml::node& node, SettingKind kind) {
+    switch (kind) {
+        case SettingKind::Flag:
+            if (const auto* flag = node.as_boolean()) return flag->get();
+            return std::nullopt;
+        case SettingKind::Integer:
+        case SettingKind::Number:
+            if (const auto number = number_of(node)) return *number;
+            return std::nullopt;
+        case SettingKind::Choice:
+            if (const auto* flag = node.as_boolean()) return std::string(flag->get() ? "true" : "false");
+            [[fallthrough]];
+        case SettingKind::Text:
+            if (const auto* text = node.as_string()) return text->get();
+            return std::nullopt;
+        case SettingKind::Pins:
+            if (const auto* name = node.as_string()) return name->get();
+            [[fallthrough]];
+        case SettingKind::Grid:
+        case SettingKind::Size:
+        case SettingKind::Vector:
+        case SettingKind::Path: {
+            std::vector<double> values;
+            const toml::array* array = node.as_array();
+            if (array == nullptr || !append_numbers(*array, kind == SettingKind::Path, values)) return std::nullopt;
+            return values;
+        }
+    }
+    return std::nullopt;
+}
+
+/// The node as it might stand in a file, shortened, for messages.
+std::string toml_text(const toml::node& node) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    node.visit([&out](const auto& value) {
+        if constexpr (toml::is_table<decltype(value)>) {
+            out << "a table";
+        } else if constexpr (toml::is_array<decltype(value)>) {
+            out << toml::default_formatter(value);
+        } else {
+            out << value;
+        }
+    });
+    return shortened(out.str());
+}
+
+/// Reads a scene into settings.
 class SceneReader {
 public:
-    SceneReader(std::string file, Settings& settings) : file_(std::move(file)), settings_(settings) {}
+    explicit SceneReader(std::string file) : file_(std::move(file)) {}
 
-    void read(const toml::table& root) {
+    Settings read(std::string_view text) {
+        const toml::table root = parsed(text);
         if (root.get("cloth") == nullptr) throw InputError(file_ + ": [cloth] is missing: a scene needs one");
         settings_.cloths.clear();
         for (const auto& [key, node] : root) read_top(std::string(key.str()), node);
@@ -28,9 +103,18 @@ public:
         } catch (const InconsistentSettings& misfit) {
             fail(node_of(misfit, *root.get(misfit.section)), misfit.what());
         }
+        return std::move(settings_);
     }
 
 private:
+    [[nodiscard]] toml::table parsed(std::string_view text) const {
+        try {
+            return toml::parse(text, file_);
+        } catch (const toml::parse_error& error) {
+            fail(error.source(), std::string(error.description()));
+        }
+    }
+
     /// The setting that does not fit the others, or the table that should have it.
     static const toml::node& node_of(const InconsistentSettings& misfit, const toml::node& section) {
         const toml::array* several = section.as_array();
@@ -40,26 +124,15 @@ private:
     }
 
     void read_top(const std::string& name, const toml::node& node) {
-        if (name == "title" || name == "start") {
-            write(node, find_setting(name), 0);
-        } else if (name == "cloth") {
-            read_several(node, name, settings_.cloths);
-        } else if (name == "ball") {
-            read_several(node, name, settings_.balls);
-        } else if (name == "solid") {
-            read_several(node, name, settings_.solids);
-        } else if (name == "pins") {
-            read_several(node, name, settings_.pins);
-        } else if (std::ranges::find(setting_table(), name, &Setting::section) != setting_table().end()) {
-            read_section(table_of(node, name), name, "", 0);
-        } else {
-            refuse_unknown(node, name, "");
-        }
+        if (name == "title" || name == "start") return write(node, find_setting(name), 0);
+        const auto row = std::ranges::find(setting_table(), name, &Setting::section);
+        if (row == setting_table().end()) refuse_unknown(node, name, "");
+        row->several != nullptr ? read_several(node, *row) : read_section(table_of(node, name), name, "", 0);
     }
 
     /// `[cloth]` or `[[cloth]]`
-    template <class Entry>
-    void read_several(const toml::node& node, const std::string& name, std::vector<Entry>& entries) {
+    void read_several(const toml::node& node, const Setting& row) {
+        const std::string& name = row.section;
         const toml::array* several = node.as_array();
         const std::size_t count = several != nullptr ? several->size() : 1;
         if (count == 0 || count > max_entries) {
@@ -67,7 +140,7 @@ private:
         }
         for (std::size_t i = 0; i < count; ++i) {
             const toml::node& one = several != nullptr ? *several->get(i) : node;
-            entries.emplace_back();
+            row.several->add(settings_);
             const toml::table& table = table_of(one, name);
             if (table.contains("origin") && table.contains("centre")) {
                 fail(*table.get("centre"), name + ".centre: allowed only without " + name + ".origin");
@@ -143,16 +216,17 @@ private:
              "unknown key '" + shortened(name) + "'" + did_you_mean(name, names, ": drape-lab list settings has all"));
     }
 
-    [[noreturn]] void fail(const toml::node& node, const std::string& message) const {
-        const auto& begin = node.source().begin;
-        throw InputError(file_ + ":" + std::to_string(begin.line) + ":" + std::to_string(begin.column) + ": " +
-                         message);
+    [[noreturn]] void fail(const toml::node& node, const std::string& message) const { fail(node.source(), message); }
+
+    [[noreturn]] void fail(const toml::source_region& place, const std::string& message) const {
+        throw InputError(file_ + ":" + std::to_string(place.begin.line) + ":" + std::to_string(place.begin.column) +
+                         ": " + message);
     }
 
     static constexpr std::size_t max_entries = 64;
 
     std::string file_;
-    Settings& settings_;
+    Settings settings_;
 };
 
 /// Refuses what the parser was not made for, before it sees it.
@@ -176,10 +250,7 @@ void check_sizes(std::string_view text, const std::string& file) {
 
 Settings parse_scene(std::string_view text, const std::string& file) {
     check_sizes(text, file);
-    Settings settings;
-    const toml::table root = parse_toml(text, file);
-    SceneReader(file, settings).read(root);
-    return settings;
+    return SceneReader(file).read(text);
 }
 
 std::filesystem::path scene_file(const std::string& name_or_path) {

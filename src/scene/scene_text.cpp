@@ -43,10 +43,6 @@ std::string toml_text(const Setting& setting, const SettingValue& value) {
     return value_text(value);
 }
 
-bool stands_several_times(const std::string& section) {
-    return section == "cloth" || section == "ball" || section == "solid" || section == "pins";
-}
-
 /// Of origin and centre, which say the same, the one that was not given.
 bool is_other_name(const Setting& setting, const Settings& settings, std::size_t index) {
     if (setting.section != "cloth") return false;
@@ -74,10 +70,9 @@ std::string scene_text(const Settings& settings) {
     for (const Setting& setting : setting_table()) {
         const std::string& section = setting.section;
         if (section == std::exchange(last, section)) continue;
-        const bool is_several = stands_several_times(section);
         for (std::size_t k = 0; k < section_count(settings, setting); ++k) {
             const std::string lines = lines_of(section, settings, defaults, k);
-            if (is_several) {
+            if (setting.several != nullptr) {
                 text += "\n[[" + section + "]]\n";
             } else if (!section.empty() && !lines.empty()) {
                 text += "\n[" + section + "]\n";
@@ -96,7 +91,7 @@ std::vector<std::string> changes_of(const Settings& scene, const Settings& setti
             if (is_other_name(setting, settings, k)) continue;
             const SettingValue value = setting.read(settings, k);
             if (value == setting.read(again, k)) continue;
-            const std::string number = stands_several_times(setting.section) ? "[" + std::to_string(k) + "]" : "";
+            const std::string number = setting.several != nullptr ? "[" + std::to_string(k) + "]" : "";
             const std::string section = setting.section.empty() ? "" : setting.section + number + ".";
             changes.push_back(section + setting.name + "=" + value_text(value));
             assign(again, changes.back());

@@ -189,14 +189,6 @@ void end_pins_without_particles(Settings& settings) {
     });
 }
 
-std::size_t section_count(const Settings& settings, const Setting& setting) {
-    if (setting.section == "cloth") return settings.cloths.size();
-    if (setting.section == "ball") return settings.balls.size();
-    if (setting.section == "solid") return settings.solids.size();
-    if (setting.section == "pins") return settings.pins.size();
-    return 1;
-}
-
 const Setting& setting_meant_by(std::string_view name) { return *find_target(name).setting; }
 
 void assign(Settings& settings, std::string_view assignment) {

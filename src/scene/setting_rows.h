@@ -14,7 +14,7 @@ namespace drape {
 /// A member of a section as its setting's value.
 template <class Member>
 SettingValue setting_value(const Member& member) {
-    if constexpr (NamedEnum<Member>) {
+    if constexpr (Enumeration<Member>) {
         return name_of(member);
     } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
         return static_cast<double>(member);
@@ -30,7 +30,7 @@ SettingValue setting_value(const std::vector<PathPoint>& path);
 /// Gives a member the value of its setting.
 template <class Member>
 void take(const SettingValue& value, Member& member) {
-    if constexpr (NamedEnum<Member>) {
+    if constexpr (Enumeration<Member>) {
         member = value_named<Member>(std::get<std::string>(value)).value();
     } else if constexpr (std::is_arithmetic_v<Member> && !std::is_same_v<Member, bool>) {
         member = static_cast<Member>(std::get<double>(value));
@@ -49,7 +49,7 @@ consteval SettingKind kind_of() {
     if (std::is_same_v<Member, bool>) return SettingKind::Flag;
     if (std::is_same_v<Member, int>) return SettingKind::Integer;
     if (std::is_floating_point_v<Member>) return SettingKind::Number;
-    if (NamedEnum<Member>) return SettingKind::Choice;
+    if (Enumeration<Member>) return SettingKind::Choice;
     if (std::is_same_v<Member, std::string>) return SettingKind::Text;
     if (std::is_same_v<Member, Grid>) return SettingKind::Grid;
     if (std::is_same_v<Member, Vec3>) return SettingKind::Vector;
@@ -69,9 +69,18 @@ public:
     SectionRows(std::string section, Values Settings::*once, std::vector<Setting>& rows)
         : SectionRows(
               std::move(section), [once](Settings& s, std::size_t) -> Values& { return s.*once; }, rows) {}
-    SectionRows(std::string section, std::vector<Values> Settings::*several, std::vector<Setting>& rows)
-        : SectionRows(
-              std::move(section), [several](Settings& s, std::size_t i) -> Values& { return (s.*several)[i]; }, rows) {}
+
+    /// The rows of a section that may stand several times.
+    /// @tparam entries the member of `Settings` that holds them
+    template <std::vector<Values> Settings::*entries>
+    static SectionRows of_several(std::string section, std::vector<Setting>& rows) {
+        static constexpr SeveralSections several{[](const Settings& s) { return (s.*entries).size(); },
+                                                 [](Settings& s) { (s.*entries).emplace_back(); }};
+        SectionRows of_section(
+            std::move(section), [](Settings& s, std::size_t i) -> Values& { return (s.*entries)[i]; }, rows);
+        of_section.several_ = &several;
+        return of_section;
+    }
 
     /// Adds a row whose value is converted by `to` (values to value) and `from` (value to values).
     template <class To, class From>
@@ -88,7 +97,8 @@ public:
                          },
                          [find = find_, from](Settings& settings, std::size_t index, const SettingValue& value) {
                              from(find(settings, index), value);
-                         }});
+                         },
+                         several_});
     }
 
     /// Adds a row for a member, of the kind that its type has.
@@ -100,7 +110,7 @@ public:
             std::move(name), kind_of<Member>(), std::move(unit), range, std::move(help),
             [at](Values& values) { return setting_value(std::invoke(at, values)); },
             [at](Values& values, const SettingValue& value) { take(value, std::invoke(at, values)); });
-        if constexpr (NamedEnum<Member>) {
+        if constexpr (Enumeration<Member>) {
             const auto names = names_of<Member>();
             rows_.back().choices.assign(names.begin(), names.end());
         }
@@ -115,6 +125,7 @@ public:
 private:
     std::string section_;
     Find find_;
+    const SeveralSections* several_ = nullptr;
     std::vector<Setting>& rows_;
 };
 

@@ -71,7 +71,7 @@ void add_spring(SectionRows<ClothParameters>& rows, const std::string& kind, Spr
 }
 
 void add_cloth(std::vector<Setting>& table) {
-    SectionRows<ClothParameters> rows("cloth", &Settings::cloths, table);
+    auto rows = SectionRows<ClothParameters>::of_several<&Settings::cloths>("cloth", table);
     rows.add("particles", &ClothParameters::particles, "", {2, 4096}, "columns and rows of particles");
     rows.add(
         "size", SettingKind::Size, "m", sizes, "along columns and rows",
@@ -107,7 +107,7 @@ void add_cloth(std::vector<Setting>& table) {
 }
 
 void add_ball(std::vector<Setting>& table) {
-    SectionRows<BallSettings> rows("ball", &Settings::balls, table);
+    auto rows = SectionRows<BallSettings>::of_several<&Settings::balls>("ball", table);
     rows.add("radius", &BallSettings::radius, "m", sizes, "of the ball");
     rows.add("position", &BallSettings::position, "m", lengths, "of its centre at the start; not used on a path");
     rows.add("velocity", &BallSettings::velocity, "m/s", {-1e3, 1e3}, "at the start, under the keys or free");
@@ -120,7 +120,7 @@ void add_ball(std::vector<Setting>& table) {
 }
 
 void add_solid(std::vector<Setting>& table) {
-    SectionRows<SolidSettings> rows("solid", &Settings::solids, table);
+    auto rows = SectionRows<SolidSettings>::of_several<&Settings::solids>("solid", table);
     rows.add("shape", &SolidSettings::shape, "a box, a capsule along its y axis, or a closed mesh of triangles");
     rows.add("position", &SolidSettings::position, "m", lengths,
              "of its centre, or of a mesh's origin; not used on a path");
@@ -137,7 +137,7 @@ void add_solid(std::vector<Setting>& table) {
 }
 
 void add_pins(std::vector<Setting>& table) {
-    SectionRows<PinSettings> rows("pins", &Settings::pins, table);
+    auto rows = SectionRows<PinSettings>::of_several<&Settings::pins>("pins", table);
     rows.add("cloth", &PinSettings::cloth, "", {0, 63}, "number of the cloth that they pin, counted from 0");
     rows.add("particles", &PinSettings::particles, "", {0, 4096.0 * 4096 - 1},
              "those that cloth.pinned pins from the first to the second of these particles move together");
@@ -212,7 +212,8 @@ void add_the_rest(std::vector<Setting>& table) {
         "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
 
     SectionRows<ContactSettings> contact("contact", &Settings::contact, table);
-    contact.add("volume", &ContactSettings::volume, "of the hierarchy; brute tests every cell");
+    contact.add("volume", &ContactSettings::volume,
+                "of the hierarchy; brute tests every cell, and with contact.self every pair of cells");
     contact.add("update", &ContactSettings::update, "how the hierarchy follows the cloth");
     contact.add("sphere_fit", &ContactSettings::sphere_fit,
                 "how a sphere is put about particles, where the volume is one");

@@ -12,12 +12,6 @@ namespace {
 
 using Values = std::vector<double>;
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t");
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 /// "1, 2, 3" or "[1, 2, 3]" or "[[1, 2], [3, 4]]": the numbers in their order; nothing if there is anything else.
 std::optional<Values> parse_list(std::string_view text) {
     Values values;
@@ -210,9 +204,9 @@ const Setting& find_setting(std::string_view name) {
 
 Settings settings_with_one_of_each() {
     Settings settings;
-    settings.balls.emplace_back();
-    settings.solids.emplace_back();
-    settings.pins.emplace_back();
+    for (const Setting& setting : setting_table()) {
+        if (section_count(settings, setting) == 0) setting.several->add(settings);
+    }
     return settings;
 }
 

@@ -7,7 +7,7 @@
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
 #include "drape/model/stencils.h"
-#include "step_plan.h"
+#include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
@@ -137,49 +137,55 @@ void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& 
     report.gained_by = integrator;
 }
 
+/// That balls which keys or forces move start where the scene has them, for the state in which the cloths start has
+/// none; empty if not so.
+std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
+    const auto moves = [](const BallSettings& ball) {
+        return ball.motion == BallMotion::Keys || ball.motion == BallMotion::Free;
+    };
+    const bool unknown = !settings.start.empty() && start && start->balls.empty();
+    if (!unknown || std::ranges::none_of(settings.balls, moves)) return {};
+    return "start = " + settings.start + " has no balls: they start where the scene has them";
+}
+
 }  // namespace
 
-std::string check_substep(std::span<Cloth> cloths, std::span<const Ball> balls, const Settings& settings, Real h,
-                          int planned, StepReport& report) {
-    const SolverSettings& solver = settings.solver;
-    const auto residual = static_cast<double>(report.solve.residual);
-    if (!(residual <= report.worst_residual)) report.worst_residual = residual;
-    if (report.solve.gave_up) return solve_error(solver.integrator, report);
+std::string Simulation::check_substep(Real h) {
+    const SolverSettings& solver = settings_.solver;
+    const auto residual = static_cast<double>(report_.solve.residual);
+    if (!(residual <= report_.worst_residual)) report_.worst_residual = residual;
+    if (report_.solve.gave_up) return solve_error(solver.integrator, report_);
 
     // An explicit step costs little more than the sum over the springs
     const int min_pause = has_step_limit(solver.integrator) ? 32 : 1;
     bool gained = false;
-    for (Cloth& cloth : cloths) {
+    for (Cloth& cloth : cloths_) {
         const MotionSums sums = sum_motion(cloth.state);
-        const Divergence found = divergence(cloth, sums, balls, settings);
+        const Divergence found = divergence(cloth, sums, balls_, settings_);
         if (!found.clause.empty()) {
-            report.failure = {static_cast<int>(&cloth - cloths.data()), found.particle, found.other};
-            const double longest = longest_step(settings, cloths, report, planned);
-            // Not counted those because balls or cloth are fast: what diverges is
-            const int substeps = std::min(report.substeps, substeps_in_contact(settings, true, planned));
-            return "Diverged at step " + std::to_string(report.step + 1) + " (" +
-                   std::string(name_of(solver.integrator)) + "). " + limit_advice(settings, longest, substeps) +
-                   "First: " + found.clause;
+            report_.failure = {static_cast<int>(&cloth - cloths_.data()), found.particle, found.other};
+            return "Diverged at step " + std::to_string(report_.step + 1) + " (" +
+                   std::string(name_of(solver.integrator)) + "). " + limit_advice() + "First: " + found.clause;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, min_pause);
-        mark_gain(cloth.energy.watch(), solver.integrator, report);
+        mark_gain(cloth.energy.watch(), solver.integrator, report_);
         gained = gained || cloth.energy.watch().gained();
     }
     if (solver.on_unstable != OnUnstable::Stop) return {};
-    if (report.solve.unconverged > 0) return solve_error(solver.integrator, report);
-    return gained ? gain_error(report) : "";
+    if (report_.solve.unconverged > 0) return solve_error(solver.integrator, report_);
+    return gained ? gain_error(report_) : "";
 }
 
-void measure_stretch(std::span<const Cloth> cloths, double dt, StepReport& report) {
-    report.stretch_excess = 0;
+void Simulation::measure_stretch() {
+    report_.stretch_excess = 0;
     bool over = false;
-    for (const Cloth& cloth : cloths) {
+    for (const Cloth& cloth : cloths_) {
         const Real excess = stretch_excess(cloth.model, cloth.state.x);
-        report.stretch_excess = std::max(report.stretch_excess, static_cast<double>(excess));
+        report_.stretch_excess = std::max(report_.stretch_excess, static_cast<double>(excess));
         over = over || excess > std::max(cloth.model.stretch_limit, large_excess);
     }
-    report.worst_stretch_excess = std::max(report.worst_stretch_excess, report.stretch_excess);
-    if (over) report.overstretched += dt;
+    report_.worst_stretch_excess = std::max(report_.worst_stretch_excess, report_.stretch_excess);
+    if (over) report_.overstretched += settings_.solver.dt;
 }
 
 std::string joined(std::initializer_list<std::string> clauses) {
@@ -200,61 +206,51 @@ void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& re
     danger.last = time;
 }
 
-std::string crossing_warning(const TunnellingRisk& danger) {
+std::string Simulation::crossing_warning() const {
+    const TunnellingRisk& danger = report_.crossing;
     if (danger.starts == 0) return {};
     return "contact.continuous = false: cloth and a ball or a solid approach each other at up to " +
            real_text(danger.speed, 3) + " m/s, and above " + real_text(danger.safe_speed, 3) +
            " m/s one may pass through the other within a step";
 }
 
-std::string search_error(const StepReport& report) {
-    return "too much cloth is near, or moves too far, in step " + std::to_string(report.step + 1) +
-           " for contact.self; reduce solver.dt or contact.thickness";
-}
-
-Real deepest_particle(std::span<const Cloth> cloths, std::span<const Ball> balls, std::span<const Solid> solids,
-                      const Ground& ground, Real thickness) {
+Real Simulation::deepest_particle() const {
     Real depth = 0;
-    for (const Cloth& cloth : cloths) {
+    for (const Cloth& cloth : cloths_) {
         for (int number = 0; number < cloth.model.grid.particles(); ++number) {
             if (cloth.model.pinned(number)) continue;
             const Vec3 p = cloth.state.x.row(number).transpose();
-            for (const Ball& ball : balls) depth = std::max(depth, ball.radius - (p - ball.centre).norm());
-            for (const Solid& solid : solids) depth = std::max(depth, -solid.distance(p));
-            if (ground.solid) depth = std::max(depth, ground.height - p.y());
+            for (const Ball& ball : balls_) depth = std::max(depth, ball.radius - (p - ball.centre).norm());
+            for (const Solid& solid : solids_) depth = std::max(depth, -solid.distance(p));
+            if (settings_.ground.solid) depth = std::max(depth, settings_.ground.height - p.y());
         }
     }
     constexpr auto rounding = Real(1e-6);
-    return depth > std::max(thickness, rounding) ? depth : 0;
+    return depth > std::max(settings_.contact.thickness, rounding) ? depth : 0;
 }
 
-std::string start_warning(std::int64_t crossings, std::int64_t coincident, Real depth) {
+std::string Simulation::step_warning() const {
+    const std::int64_t crossings = contact_.self().crossings_at_start();
+    const std::int64_t coincident = contact_.self().coincident_at_start();
     const auto places = [](std::int64_t count) {
         return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
     };
     return joined(
-        {crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
+        {limit_warnings(), crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
          coincident > 0
              ? "cloth touches cloth at distance 0 in " + places(coincident) + "is moved apart by contact.thickness"
              : "",
-         depth > 0 ? "cloth starts " + real_text(static_cast<double>(depth), 3) +
-                         " m deep inside a ball, a solid or the ground, and may be thrown off as it is pushed out"
-                   : ""});
+         depth_at_start_ > 0 ? "cloth starts " + real_text(static_cast<double>(depth_at_start_), 3) +
+                                   " m deep inside a ball, a solid or the ground, and may be thrown off as it is "
+                                   "pushed out"
+                             : "",
+         ball_start_warning(settings_, start_)});
 }
 
-std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
-    const auto moves = [](const BallSettings& ball) {
-        return ball.motion == BallMotion::Keys || ball.motion == BallMotion::Free;
-    };
-    const bool unknown = !settings.start.empty() && start && start->balls.empty();
-    if (!unknown || std::ranges::none_of(settings.balls, moves)) return {};
-    return "start = " + settings.start + " has no balls: they start where the scene has them";
-}
-
-std::string reliability_warning(const StepReport& report, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    return joined({report.unconverged > 0 ? unsolved_error(report) : "",
-                   is_overstretched(report) ? stretch_error(report, cloths, balls) : "",
-                   report.energy_gain_step > 0 ? gain_error(report) : ""});
+std::string Simulation::run_warning() const {
+    return joined({report_.unconverged > 0 ? unsolved_error(report_) : "",
+                   is_overstretched(report_) ? stretch_error(report_, cloths_, balls_) : "",
+                   report_.energy_gain_step > 0 ? gain_error(report_) : ""});
 }
 
 }  // namespace drape

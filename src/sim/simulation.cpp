@@ -8,8 +8,6 @@
 #include "drape/integrate/integrator.h"
 #include "drape/scene/memory.h"
 #include "gusts.h"
-#include "run_checks.h"
-#include "step_plan.h"
 
 namespace drape {
 
@@ -17,8 +15,9 @@ namespace drape {
 void Simulation::step() {
     if (report_.status == Status::Diverged) return;
     begin_step();
+    const Real h = static_cast<Real>(settings_.solver.dt / report_.substeps);
     for (int k = 0; k < report_.substeps; ++k) {
-        const Substep now = substep(k);
+        const Substep now{report_.time + k * static_cast<double>(h), h, report_.substeps > 1};
         if (!input(now)) continue;    // asleep
         if (!integrate(now)) return;  // diverged
         limit_stretch();
@@ -41,24 +40,7 @@ void Simulation::begin_step() {
         if (!report_.asleep) cloth.previous = cloth.state;
         cloth.energy.mark();
     }
-    if (plan_is_due(settings_.solver, report_)) plan(planned_substeps_);
-    const bool touches = report_.contacts > 0 || contact_.is_near();
-    const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
-    const bool meets = of_balls > 1 || (!report_.asleep && (may_touch(settings_, cloths_, balls_, solids_) ||
-                                                            softens_before_ball(settings_, cloths_, balls_)));
-    report_.substeps = std::max(of_balls, substeps_in_contact(settings_, touches || meets, planned_substeps_));
-    if (contact_.self().on())
-        report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, settings_.solver));
-}
-
-void Simulation::plan(int fewest) {
-    plan_substeps(cloths_, settings_, fewest, report_);
-    planned_substeps_ = report_.substeps;
-}
-
-Substep Simulation::substep(int number) const {
-    const Real h = static_cast<Real>(settings_.solver.dt / report_.substeps);
-    return {report_.time + number * static_cast<double>(h), h, report_.substeps > 1};
+    plan_step();
 }
 
 /// What moves on its own: hand, balls, solids and pins. Commands were carried out between two steps.
@@ -66,7 +48,7 @@ Substep Simulation::substep(int number) const {
 bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (report_.asleep && !is_kinematic(b)) continue;
+        if (report_.asleep && balls_[b].inverse_mass != 0) continue;
         move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_factor(settings_.solver.integrator),
                   static_cast<Real>(now.time), now.h, balls_[b]);
     }
@@ -95,7 +77,7 @@ bool Simulation::integrate(const Substep& now) {
     }
     hand_.count_work(cloths_, now.h);
     pins_.count_work(cloths_, now.h);
-    std::string error = check_substep(cloths_, balls_, settings_, now.h, planned_substeps_, report_);
+    std::string error = check_substep(now.h);
     if (!error.empty()) {
         end_with(std::move(error));
         return false;
@@ -121,13 +103,16 @@ bool Simulation::respond() {
     contact_.audit_response(report_);
     contact_.end();
     for (Ball& ball : balls_) turn_ball(ball);
-    if (contact_.self().report().gave_up) end_with(search_error(report_));
+    if (contact_.self().report().gave_up) {
+        end_with("too much cloth is near, or moves too far, in step " + std::to_string(report_.step + 1) +
+                 " for contact.self; reduce solver.dt or contact.thickness");
+    }
     return report_.status == Status::Ok;
 }
 
 void Simulation::close_report() {
     ++report_.step;
-    if (!report_.asleep) measure_stretch(cloths_, settings_.solver.dt, report_);
+    if (!report_.asleep) measure_stretch();
     if (report_.solve.unconverged > 0) {
         ++report_.unconverged;
         report_.unsolved_by = settings_.solver.integrator;
@@ -147,11 +132,9 @@ void Simulation::rest() {
     if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
 }
 
-bool Simulation::is_kinematic(std::size_t ball) const { return balls_[ball].inverse_mass == 0; }
-
 bool Simulation::kinematic_body_has_moved() const {
     for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (is_kinematic(b) && balls_[b].centre != previous_balls_[b].centre) return true;
+        if (balls_[b].inverse_mass == 0 && balls_[b].centre != previous_balls_[b].centre) return true;
     }
     return pins_have_moved_ || !std::ranges::equal(solids_, previous_solids_, {}, &Solid::position, &Solid::position);
 }

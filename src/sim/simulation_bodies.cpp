@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "ball_stops.h"
 #include "body_motion.h"
@@ -68,15 +67,6 @@ void Simulation::throw_ball(const command::Throw& command) {
     balls_[users_ball_].velocity = command.velocity;
     balls_[users_ball_].spin.setZero();
     wake();
-}
-
-/// Nothing that touched a solid where it was does so where it is now.
-void Simulation::configure_solids(const Settings& before, std::vector<Solid> solids) {
-    if (settings_.solids == before.solids) return;
-    solids_ = std::move(solids);
-    put_solids(settings_.solids, report_.time, solids_);
-    previous_solids_ = solids_;
-    contact_.forget_bodies([&](int body) { return body >= static_cast<int>(balls_.size()); });
 }
 
 }  // namespace drape

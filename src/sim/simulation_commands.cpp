@@ -8,7 +8,6 @@
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "drape/sim/snapshot.h"
-#include "run_checks.h"
 
 namespace drape {
 namespace {
@@ -44,7 +43,9 @@ void Simulation::carry_out(const Command& command) {
                        steps_wanted_ = report_.status == Status::Ok ? step.count : 0;
                    },
                    [&](const command::Reset&) { restart(); },
-                   [&](const command::LoadScene& scene) { load(scene.name); },
+                   [&](const command::LoadScene& scene) {
+                       go_on_from({scene.name, load_scene(scene.name)});
+                   },
                    [&](const command::Load& snapshot) { go_on_from(read_snapshot(snapshot.file)); },
                    [&](const command::Compare& compare) {
                        if (compare.begins()) restart();
@@ -133,35 +134,19 @@ void Simulation::restart() {
     previous_balls_ = balls_;
     put_solids(settings_.solids, report_.time, solids_);
     previous_solids_ = solids_;
-    depth_at_start_ = deepest_particle(cloths_, balls_, solids_, settings_.ground, settings_.contact.thickness);
+    depth_at_start_ = deepest_particle();
     choose_ball();
     plan(1);
 }
 
 /// The window stays as the user has it, whatever is in it.
-void Simulation::keep_window(Settings& settings) const {
-    settings.view.text_scale = settings_.view.text_scale;
-    settings.view.controls = settings_.view.controls;
-    settings.view.plots = settings_.view.plots;
-}
-
-void Simulation::go_on_from(Simulation&& snapshot) {
-    keep_window(snapshot.settings_);
-    snapshot.paused_ = paused_;
-    *this = std::move(snapshot);
-}
-
-void Simulation::load(const std::string& scene) {
-    Settings settings = load_scene(scene);
-    check(settings);
-    std::vector<Solid> solids = make_solids(settings.solids);
-    start_ = find_start(settings);
-    solids_ = std::move(solids);
-    scene_ = scene;
-    keep_window(settings);
-    settings_ = std::move(settings);
-    motion_by_scene_.reset();
-    restart();
+void Simulation::go_on_from(Simulation&& other) {
+    ViewSettings& view = other.settings_.view;
+    view.text_scale = settings_.view.text_scale;
+    view.controls = settings_.view.controls;
+    view.plots = settings_.view.plots;
+    other.paused_ = paused_;
+    *this = std::move(other);
 }
 
 void Simulation::change_pin(const command::Pin& pin) {
@@ -181,12 +166,18 @@ void Simulation::change_pin(const command::Pin& pin) {
 
 void Simulation::configure(Settings settings) {
     check(settings);
-    std::vector<Solid> solids = solids_;
+    std::optional<std::vector<Solid>> solids;
     if (settings.solids != settings_.solids) solids = make_solids(settings.solids);
     const bool keeps_state = same_start(settings_, settings);
     if (!keeps_state) start_ = find_start(settings);
     const Settings before = std::exchange(settings_, std::move(settings));
-    configure_solids(before, std::move(solids));
+    if (solids) {
+        solids_ = *std::move(solids);
+        put_solids(settings_.solids, report_.time, solids_);
+        previous_solids_ = solids_;
+        // Nothing that touched a solid where it was does so where it is now
+        contact_.forget_bodies([&](int body) { return body >= static_cast<int>(balls_.size()); });
+    }
     if (!keeps_state) return restart();
     if (settings_.solver.dt != before.solver.dt) {
         counted_from_step_ = report_.step;

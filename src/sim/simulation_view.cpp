@@ -4,8 +4,6 @@
 #include "drape/base/numbers.h"
 #include "drape/sim/pair_marks.h"
 #include "drape/sim/simulation.h"
-#include "run_checks.h"
-#include "step_plan.h"
 
 namespace drape {
 
@@ -51,20 +49,6 @@ FrameView Simulation::view(Real blend) {
             .steered_ball = leads ? static_cast<int>(users_ball_) : -1,
             .pair_search = pair_search};
 }
-
-double Simulation::longest_step() const { return drape::longest_step(settings_, cloths_, report_, planned_substeps_); }
-
-std::string Simulation::step_warning() const {
-    return joined(
-        {step_limit_warning(settings_.solver, report_, planned_substeps_),
-         penalty_limit_warning(settings_, cloths_, planned_substeps_),
-         start_warning(contact_.self().crossings_at_start(), contact_.self().coincident_at_start(), depth_at_start_),
-         ball_start_warning(settings_, start_)});
-}
-
-std::string Simulation::crossing_warning() const { return drape::crossing_warning(report_.crossing); }
-
-std::string Simulation::run_warning() const { return reliability_warning(report_, cloths_, balls_); }
 
 std::uint64_t Simulation::hash() const {
     std::uint64_t hash = fnv1a("");

@@ -53,13 +53,6 @@ SnapshotHead read_head(SnapshotText& text) {
     return head;
 }
 
-Simulation read(SnapshotText& text) {
-    SnapshotHead head = read_head(text);
-    Simulation simulation(std::move(head.scene), std::move(head.settings));
-    simulation.exchange(text);
-    return simulation;
-}
-
 }  // namespace
 
 void write_snapshot(std::ostream& out, Simulation& simulation) {
@@ -80,7 +73,10 @@ void write_snapshot(const std::string& file, Simulation& simulation) {
 
 Simulation read_snapshot(std::istream& in, const std::string& file) {
     SnapshotText text(in, file);
-    return read(text);
+    SnapshotHead head = read_head(text);
+    Simulation simulation(std::move(head.scene), std::move(head.settings));
+    simulation.exchange(text);
+    return simulation;
 }
 
 Simulation read_snapshot(const std::string& file) {

@@ -6,7 +6,6 @@
 #include "drape/base/snapshot_text.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "step_plan.h"
 
 namespace drape {
 namespace {
@@ -113,13 +112,10 @@ bool fits(const Known& known, const ContactRow& row) {
 }
 
 void exchange(SnapshotText& text, ContactRow& row, const Known& known) {
-    auto kind = static_cast<int>(row.kind);
-    text.line("row", within(kind, 0, static_cast<int>(RowKind::Bodies)), within(row.count, 0, 4),
-              within(row.first_count, 0, 4), row.lasts, row.separated, within(row.triangle, -1, 1e9),
-              within(row.first_body, no_body, known.bodies - 1), within(row.body, no_body, known.bodies - 1),
-              row.normal, row.distance, row.depth, row.displacement.normal, row.displacement.friction,
-              row.impulse.normal, row.impulse.friction);
-    row.kind = static_cast<RowKind>(kind);
+    text.line("row", row.kind, within(row.count, 0, 4), within(row.first_count, 0, 4), row.lasts, row.separated,
+              within(row.triangle, -1, 1e9), within(row.first_body, no_body, known.bodies - 1),
+              within(row.body, no_body, known.bodies - 1), row.normal, row.distance, row.depth, row.displacement.normal,
+              row.displacement.friction, row.impulse.normal, row.impulse.friction);
     for (std::size_t k = 0; k < row.count; ++k) {
         RowParticle& p = row.particles[k];
         text.line("of", p.cloth, p.particle, within(p.weight, -1.01, 1.01));
@@ -160,7 +156,7 @@ void Simulation::exchange(SnapshotText& text) {
 }
 
 void Simulation::exchange_users_ball(SnapshotText& text) {
-    const double last = static_cast<double>(enum_names<BallMotion>.size()) - 1;
+    const double last = static_cast<double>(enum_count<BallMotion>) - 1;
     int motion = motion_by_scene_ ? static_cast<int>(*motion_by_scene_) : -1;
     text.line("users_ball", within(users_ball_, 0, std::max<double>(static_cast<double>(balls_.size()) - 1, 0)),
               within(motion, -1, balls_.empty() ? -1 : last));
@@ -212,11 +208,8 @@ void EnergyLedger::exchange(SnapshotText& text) {
     text.line("ledger", entries.wind, entries.hand, entries.pins, entries.ball, entries.damping, entries.drag,
               entries.contact, entries.failsafe, entries.integrator);
     drape::exchange(text, now_.seen);
-    auto since = static_cast<int>(now_.since);
-    text.line("since", within(since, 0, static_cast<int>(Since::Pins)), within(now_.h, 0, 1), now_.contact_energy,
-              now_.contact_power.damping, now_.contact_power.drag, now_.contact_power.wind, now_.contact_power.hand,
-              now_.contact_power.pins);
-    now_.since = static_cast<Since>(since);
+    text.line("since", now_.since, within(now_.h, 0, 1), now_.contact_energy, now_.contact_power.damping,
+              now_.contact_power.drag, now_.contact_power.wind, now_.contact_power.hand, now_.contact_power.pins);
     mark();
 }
 

@@ -1,5 +1,3 @@
-#include "step_plan.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +8,9 @@
 #include "drape/contact/response.h"
 #include "drape/integrate/stability.h"
 #include "drape/scene/setting_table.h"
+#include "drape/sim/simulation.h"
 #include "gusts.h"
+#include "run_checks.h"
 
 namespace drape {
 namespace {
@@ -159,35 +159,18 @@ bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Bal
     return false;
 }
 
-}  // namespace
-
-void plan_substeps(std::span<const Cloth> cloths, const Settings& settings, int fewest, StepReport& report) {
-    const SolverSettings& solver = settings.solver;
-    const StepLimit shortest = shortest_limit(cloths, settings);
-    const Real limit = shortest.step;
-    report.limit_is_lower_bound = shortest.at_least;
-    // Where no step is short enough, substeps do not help
-    const bool bounded = limit > 0 && std::isfinite(limit);
-    const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
-    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= max_substeps;
-    report.substeps = divides ? std::max(static_cast<int>(wanted), fewest) : fewest;
-    const Real substep = static_cast<Real>(solver.dt / report.substeps);
-    report.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
-}
-
-bool plan_is_due(const SolverSettings& solver, const StepReport& report) {
-    if (solver.on_unstable != OnUnstable::Substep || report.asleep) return false;
-    const auto between = static_cast<std::int64_t>(std::ceil(search_pause / solver.dt));
-    return report.step > 0 && report.step % between == 0;
-}
-
+/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch.
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const SolverSettings& solver = settings.solver;
     if (!may_touch || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
-    return std::max(planned, static_cast<int>(std::min(wanted, max_substeps)));
+    return std::max(planned, static_cast<int>(std::min(wanted, Simulation::max_substeps)));
 }
 
+/// Whether steps are divided because a free ball may come to a cloth within half a second, under XPBD: its springs are
+/// softer in a long step than in a short one. A sheet whose steps were divided only once a ball touched it would sag
+/// until then, and throw the ball higher than it fell from. @cite macklin2019
+/// @par Cost O(particles)
 bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     if (settings.solver.integrator != IntegratorKind::Xpbd) return false;
     if (greatest_inverse_mass(settings) == 0) return false;
@@ -201,6 +184,10 @@ bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths
     });
 }
 
+/// How many substeps a step needs for no ball and no particle near it to come nearer to each other within one than half
+/// the ball's radius, by their speeds at its start and gravity; at most 128. What else forces add within the step is
+/// not foreseen. 1 where `contact.continuous` is false.
+/// @par Cost O(particles), and O(particles) more for each ball that fast cloth may come to
 int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     if (balls.empty() || settings.contact.continuous == Continuous::Never) return 1;
     double halves = 1;
@@ -224,6 +211,10 @@ int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, s
     return static_cast<int>(std::ceil(std::min(halves, max_for_balls)));
 }
 
+/// Whether cloth or a free ball may touch anything within an undivided step whose substeps in contact would be shorter,
+/// where the response has penalties: at the end of a long step a penalty is pressed in so deep that it throws off what
+/// has just touched it.
+/// @par Cost O(particles x (balls + solids)); none for other methods and responses
 bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
                std::span<const Solid> solids) {
     if (!is_divided_in_contact(settings) || !pushes_by_penalty(settings)) return false;
@@ -239,6 +230,9 @@ bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::spa
     return false;
 }
 
+/// In how many substeps a step is made where cloths meet themselves and each other: in none of them a particle goes
+/// farther than half of what particles are apart at rest, but for what all move by together. What is longer would bring
+/// every neighbour near. By the velocities at its start, and at most 32.
 int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solver) {
     Vec3 sum = Vec3::Zero();
     Eigen::Index particles = 0;
@@ -256,32 +250,9 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
     return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, max_for_motion));
 }
 
-double longest_step(const Settings& settings, std::span<const Cloth> cloths, const StepReport& report, int planned) {
-    constexpr double none = std::numeric_limits<double>::infinity();
-    const double ratio = report.step_limit_ratio;
-    double longest = ratio > 0 ? settings.solver.dt / planned / ratio : none;
-    // Under an implicit method contact has substeps of its own
-    const double in_contact = has_step_limit(settings.solver.integrator) ? none : settings.contact.longest_step;
-    for (const Cloth& cloth : cloths) {
-        const double limit = pushes_by_penalty(settings) ? penalty_limit(settings, cloth.model) : none;
-        if (limit < in_contact) longest = std::min(longest, limit);
-    }
-    return 0.89 * longest < shortest_that_may_be_set() ? 0 : longest;  // 0.9 of it is what is offered
-}
-
-std::string limit_advice(const Settings& settings, double longest, int substeps) {
-    const double substep = settings.solver.dt / substeps;
-    if (longest <= 0) {
-        return "No time step of " + std::string(name_of(settings.solver.integrator)) +
-               " that may be set is stable here: more damping, more mass or softer springs" +
-               (pushes_by_penalty(settings) ? ", contact.stiffness included, help. " : " help. ");
-    }
-    if (!(substep > longest)) return {};
-    // Rounded to no more than the limit
-    return "Time step is " + real_text(substep / longest, 3) + " x the limit; use at most " +
-           real_text(995 * longest, 3) + " ms. ";
-}
-
+/// That a substep is longer than the limit of the penalty at a particle of some cloth, where the response has one, in
+/// one line; empty if it is not.
+/// @param planned substeps of a step without contact
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
     if (!pushes_by_penalty(settings)) return {};
     const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
@@ -296,6 +267,8 @@ std::string penalty_limit_warning(const Settings& settings, std::span<const Clot
     return {};
 }
 
+/// That a step is longer than the method's limit, in one line; empty if it is not.
+/// @param planned substeps of a step, as in the report's ratio
 std::string step_limit_warning(const SolverSettings& solver, const StepReport& report, int planned) {
     if (!(report.step_limit_ratio > 1)) return {};
     const std::string method(name_of(solver.integrator));
@@ -313,6 +286,76 @@ std::string step_limit_warning(const SolverSettings& solver, const StepReport& r
            (report.limit_is_lower_bound ? ", which is at least " + limit + " s" : "") +
            (substeps_exhausted ? ", too long to be divided into substeps" : "") +
            (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
+}
+
+}  // namespace
+
+/// Predicts the longest stable substep and says in the report how near to it a substep is, and in how many of them a
+/// step is made: under `on_unstable = substep` as many as the limit asks for, else `fewest`.
+/// @par Cost that of `predicted_limit` for each cloth; allocates
+void Simulation::plan(int fewest) {
+    const SolverSettings& solver = settings_.solver;
+    const StepLimit shortest = shortest_limit(cloths_, settings_);
+    const Real limit = shortest.step;
+    report_.limit_is_lower_bound = shortest.at_least;
+    // Where no step is short enough, substeps do not help
+    const bool bounded = limit > 0 && std::isfinite(limit);
+    const double wanted = bounded ? std::ceil(solver.dt / static_cast<double>(safe_part * limit)) : 1;
+    const bool divides = solver.on_unstable == OnUnstable::Substep && wanted <= max_substeps;
+    planned_substeps_ = divides ? std::max(static_cast<int>(wanted), fewest) : fewest;
+    report_.substeps = planned_substeps_;
+    const Real substep = static_cast<Real>(solver.dt / planned_substeps_);
+    report_.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
+}
+
+/// Now and then it is time to plan again: springs that are drawn out or pushed together vibrate faster than at the
+/// start. Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
+void Simulation::plan_step() {
+    const SolverSettings& solver = settings_.solver;
+    if (solver.on_unstable == OnUnstable::Substep && !report_.asleep && report_.step > 0) {
+        const auto between = static_cast<std::int64_t>(std::ceil(search_pause / solver.dt));
+        if (report_.step % between == 0) plan(planned_substeps_);
+    }
+    const bool touches = report_.contacts > 0 || contact_.is_near();
+    const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
+    const bool meets = of_balls > 1 || (!report_.asleep && (may_touch(settings_, cloths_, balls_, solids_) ||
+                                                            softens_before_ball(settings_, cloths_, balls_)));
+    report_.substeps = std::max(of_balls, substeps_in_contact(settings_, touches || meets, planned_substeps_));
+    if (contact_.self().on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, solver));
+}
+
+double Simulation::longest_step() const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    const double ratio = report_.step_limit_ratio;
+    double longest = ratio > 0 ? settings_.solver.dt / planned_substeps_ / ratio : none;
+    // Under an implicit method contact has substeps of its own
+    const double in_contact = has_step_limit(settings_.solver.integrator) ? none : settings_.contact.longest_step;
+    for (const Cloth& cloth : cloths_) {
+        const double limit = pushes_by_penalty(settings_) ? penalty_limit(settings_, cloth.model) : none;
+        if (limit < in_contact) longest = std::min(longest, limit);
+    }
+    return 0.89 * longest < shortest_that_may_be_set() ? 0 : longest;  // 0.9 of it is what is offered
+}
+
+std::string Simulation::limit_advice() const {
+    const double longest = longest_step();
+    // Not counted those because balls or cloth are fast: what diverges is
+    const int substeps = std::min(report_.substeps, substeps_in_contact(settings_, true, planned_substeps_));
+    const double substep = settings_.solver.dt / substeps;
+    if (longest <= 0) {
+        return "No time step of " + std::string(name_of(settings_.solver.integrator)) +
+               " that may be set is stable here: more damping, more mass or softer springs" +
+               (pushes_by_penalty(settings_) ? ", contact.stiffness included, help. " : " help. ");
+    }
+    if (!(substep > longest)) return {};
+    // Rounded to no more than the limit
+    return "Time step is " + real_text(substep / longest, 3) + " x the limit; use at most " +
+           real_text(995 * longest, 3) + " ms. ";
+}
+
+std::string Simulation::limit_warnings() const {
+    return joined({step_limit_warning(settings_.solver, report_, planned_substeps_),
+                   penalty_limit_warning(settings_, cloths_, planned_substeps_)});
 }
 
 }  // namespace drape

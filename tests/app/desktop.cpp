@@ -4,6 +4,7 @@
 
 // After the others: X11 defines None and Bool
 #include <X11/XKBlib.h>
+#include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
@@ -131,6 +132,13 @@ void Desktop::choose_in_menu(int x, int y, int entry) {
     move_to(x + 20, y + row * entry - row / 2);
     click(1);
     EXPECT_TRUE(eventually([&] { return visible_windows() == before; })) << "the menu stays";
+}
+
+void Desktop::set_resources(const std::string& text) {
+    Display* display = XOpenDisplay(display_.c_str());
+    XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
+    XCloseDisplay(display);
 }
 
 void Desktop::take_keyboard_away() {

@@ -46,6 +46,9 @@ public:
     /// Opens the popup menu at a place and chooses one of its entries, counted from 1; waits until it is gone.
     void choose_in_menu(int x, int y, int entry);
 
+    /// What the user has set for all programs, as "Xft.dpi: 192".
+    void set_resources(const std::string& text);
+
     /// Gives the keyboard to no window at all.
     void take_keyboard_away();
 

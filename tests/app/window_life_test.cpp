@@ -36,7 +36,7 @@ TEST_F(WindowTest, SignalsAndTheWindowManagerEndIt) {
 
 TEST_F(WindowTest, ARunThatDivergesClosesItsRecording) {
     Process lost({program("drape"), "fails_explicit_euler", "--record", "session.txt", "--set", "on_unstable=stop",
-                  "view.speed=1"},
+                  "view.speed=1", "--size", "640x480"},
                  {{"DISPLAY", desktop_.display()}}, folder_);
     EXPECT_EQ(lost.wait(60), 1) << lost.standard_error();
     EXPECT_TRUE(closed(read_file(file("session.txt"))));
@@ -244,6 +244,46 @@ TEST_F(WindowTest, WithoutADisplayTheTourIsDrawnOffScreen) {
         pictures.insert(read_png(picture.path()).rgb);
     }
     EXPECT_EQ(pictures.size(), tour_stops().size()) << "each is another";
+}
+
+TEST_F(WindowTest, HasTheSizeOfTheLastTimeUnlessItIsTold) {
+    const auto size_of_window = [this](const std::vector<std::string>& options) {
+        std::vector<std::string> words{program("drape"), "hang"};
+        words.insert(words.end(), options.begin(), options.end());
+        drape_.emplace(
+            words, std::map<std::string, std::string>{{"DISPLAY", desktop_.display()}, {"XDG_STATE_HOME", file("")}},
+            folder_);
+        window_ = desktop_.find_window();
+        const std::string said = desktop_.act({"getwindowgeometry", "--shell", window_});
+        return said.substr(said.find("WIDTH="), said.find("\nSCREEN") - said.find("WIDTH="));
+    };
+    const auto resize_and_quit = [this](const std::string& width, const std::string& height) {
+        desktop_.act({"windowsize", "--sync", window_, width, height});
+        quit();
+    };
+    for (const char* told : {"--check", "--size=640x480"}) {
+        size_of_window({told});
+        resize_and_quit("900", "500");
+        EXPECT_FALSE(std::filesystem::exists(file("drape"))) << told;
+    }
+    desktop_.set_resources("Xft.dpi: 72");
+    EXPECT_EQ(size_of_window({}), "WIDTH=1280\nHEIGHT=720");
+    resize_and_quit("900", "500");
+    EXPECT_EQ(size_of_window({}), "WIDTH=900\nHEIGHT=500");
+    quit();
+    EXPECT_EQ(size_of_window({"--check"}), "WIDTH=1280\nHEIGHT=720");
+    quit();
+    std::filesystem::remove_all(file("drape"));
+    desktop_.set_resources("Xft.dpi: 120");
+    EXPECT_EQ(size_of_window({}), "WIDTH=1280\nHEIGHT=900") << "as wide as the screen, and 1.25 times as high";
+    quit();
+}
+
+TEST_F(WindowTest, CheckedInEveryFrameItEndsWell) {
+    start({"drop", "--check"});
+    desktop_.click(4);
+    EXPECT_TRUE(recorded("zoom"));
+    quit();
 }
 
 TEST_F(WindowTest, ASceneThatIsSavedBeginsAgain) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array kinds{ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
                            ResponseKind::Hybrid};
-static_assert(kinds.size() == enum_names<ResponseKind>.size(), "every response is here");
+static_assert(kinds.size() == enum_count<ResponseKind>, "every response is here");
 
 /// Two crumpled sheets that are cut by a ball, by the ground, and by each other.
 struct TwoSheets {

@@ -17,7 +17,7 @@ using Kind = IntegratorKind;
 constexpr Kind kinds[] = {Kind::ExplicitEuler,      Kind::SymplecticEuler,  Kind::VelocityVerlet, Kind::Rk4,
                           Kind::BackwardEuler,      Kind::ImplicitMidpoint, Kind::Bdf2,           Kind::Xpbd,
                           Kind::ProjectiveDynamics, Kind::DormandPrince};
-static_assert(std::size(kinds) == enum_names<Kind>.size(), "every method is here");
+static_assert(std::size(kinds) == enum_count<Kind>, "every method is here");
 
 /// The method, as accurate as it can be.
 IntegratorParameters accurate(Kind kind) {

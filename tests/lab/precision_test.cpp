@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
-#include "drape/base/input_error.h"
 #include "lab/lab_run.h"
+#include "lab/measure/states.h"
 #include "lab/measure/statistics.h"
 #include "lab/precision/precision.h"
+#include "support/input_errors.h"
 
 namespace drape {
 namespace {
@@ -16,13 +17,10 @@ using test::LabFolder;
 using test::LabRun;
 using test::table_of;
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
 using Pairs = std::vector<std::pair<double, double>>;
-
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// (step, error) for halved steps.
 template <class Error>
@@ -35,42 +33,19 @@ Pairs halved(int count, const Error& error) {
 TEST(ObservedOrder, IsFittedToThePointsThatFollowAPower) {
     const auto second = observed_order(halved(8, [](double h) { return 3 * h * h + 40 * std::pow(h, 6); }));
     ASSERT_TRUE(second);
-    EXPECT_NEAR(second->order, 2, 0.1);
-    EXPECT_LT(second->points, 8u) << "the coarse points follow another power";
-    EXPECT_GE(second->points, 5u);
+    EXPECT_NEAR(*second, 2, 0.1) << "the coarse points follow another power";
     const auto spoiled = observed_order(halved(8, [](double h) { return 3 * h * h + 2 * h; }));
     ASSERT_TRUE(spoiled);
-    EXPECT_NEAR(spoiled->order, 1, 0.1);
+    EXPECT_NEAR(*spoiled, 1, 0.1);
     EXPECT_FALSE(observed_order(halved(2, [](double h) { return h; })));
     EXPECT_FALSE(observed_order(Pairs{{4, 1}, {2, 0.5}, {1, 0.49}})) << "it ends in a floor";
     EXPECT_FALSE(observed_order(Pairs{{4, 1}, {2, 0.5}, {2, 0.25}})) << "two of one step";
 }
 
-TEST(ParetoFront, RunsFromExactToCheapOverThePointsThatNoOtherBeats) {
-    EXPECT_THAT(pareto_front(Pairs{{3, 1}, {1, 9}, {2, 4}, {2, 5}, {2, 4}, {3, 2}}), ElementsAre(1, 2, 0));
-    EXPECT_THAT(pareto_front(Pairs{}), SizeIs(0));
-}
-
-TEST(StateError, OverallKnowsSagCentreAndEnergyButNotWhichParticleIsWhere) {
-    ClothParameters parameters;
-    parameters.particles = {3, 3};
-    parameters.plane = Plane::XY;
-    const ClothModel model = make_cloth_model(parameters);
-    const ClothState exact = make_rest_state(parameters);
-    ClothState mirrored = exact;
-    mirrored.x.col(0) = 1 - exact.x.col(0).array();
-    EXPECT_NEAR(overall_error(model, mirrored, exact, 1), 0, 1e-12);
-    EXPECT_GT(position_error(mirrored.x, exact.x, 1), 0.5);
-    Points one_off = exact.x;
-    one_off(2, 1) += Real(0.4);
-    EXPECT_NEAR(position_error(one_off, exact.x, 2), 0.4 / 3 / 2, 1e-12) << "RMS over nine particles and the side";
-    ClothState moved = exact, fast = exact, sagging = exact;
-    moved.x.col(2).array() += Real(0.25);
-    EXPECT_NEAR(overall_error(model, moved, exact, 1), 0.25, 1e-12);
-    fast.v.col(0).array() += 1;
-    EXPECT_NEAR(overall_error(model, fast, exact, 1), 0.5 / 9.81, 1e-12) << "energy over M g side";
-    sagging.x.row(8).y() -= Real(1e-6);
-    EXPECT_NEAR(overall_error(model, sagging, exact, 1), 1e-6, 1e-7) << "sag";
+TEST(StateError, IsTheRmsDistanceOfTheParticlesOverTheSide) {
+    Points one_off = Points::Zero(9, 3);
+    one_off(2, 1) = Real(0.4);
+    EXPECT_NEAR(position_error(one_off, Points::Zero(9, 3), 2), 0.4 / 3 / 2, 1e-8);
 }
 
 /// The small soft sheet of the quick run.
@@ -79,20 +54,26 @@ const PrecisionScene& soft() {
     return scene;
 }
 
+/// The scene with a reference of Dormand-Prince to a tolerance, after one of ten times that.
+PrecisionScene with_reference(PrecisionScene scene, Real tolerance) {
+    const Rung before = solved_closely(10 * tolerance);
+    scene.reference = {before, before, solved_closely(tolerance)};
+    return scene;
+}
+
 TEST(Reference, TellsItsOwnError) {
     const Reference fine = find_reference(soft());
     for (const Real tolerance : {Real(1e-5), Real(1e-7)}) {
-        const Reference coarse = find_reference(soft(), std::array{10 * tolerance, tolerance});
+        const Reference coarse = find_reference(with_reference(soft(), tolerance));
         const double truth = position_error(coarse.state.x, fine.state.x, soft().side());
         EXPECT_GT(truth, 10 * fine.error);
         EXPECT_GE(coarse.error, truth);
         EXPECT_LT(coarse.error, 100 * truth);
     }
     EXPECT_LT(fine.growth, 1) << "damping wins";
-    EXPECT_EQ(fine.measure, Measure::Position);
 }
 
-TEST(Reference, LeavesPositionsWhereTheHorizonIsTooLongForThem) {
+TEST(Reference, TellsThatSmallErrorsGrowOnTheWayToALateHorizon) {
     PrecisionScene scene = soft();
     ClothParameters& cloth = scene.settings.cloths.front();
     cloth.particles = {8, 8};
@@ -100,16 +81,10 @@ TEST(Reference, LeavesPositionsWhereTheHorizonIsTooLongForThem) {
     cloth.drag = Real(3e-4);
     const auto growth_to = [&scene](Real horizon) {
         scene.horizon = horizon;
-        return find_reference(scene, std::array{Real(1e-6), Real(1e-7)});
+        return find_reference(with_reference(scene, Real(1e-7))).growth;
     };
-    const Reference near = growth_to(Real(0.2)), far = growth_to(Real(1.6));
-    EXPECT_LT(near.growth, most_growth);
-    EXPECT_EQ(near.measure, Measure::Position);
-    EXPECT_GT(far.growth, most_growth);
-    EXPECT_EQ(far.measure, Measure::Overall);
-    EXPECT_EQ(measure_for(50), Measure::Position);
-    EXPECT_EQ(measure_for(50.1), Measure::Overall);
-    EXPECT_EQ(measure_for(nothing), Measure::Overall);
+    EXPECT_LT(growth_to(Real(0.2)), most_growth);
+    EXPECT_GT(growth_to(Real(1.6)), most_growth);
 }
 
 /// The order that a scene shows under a method, errors averaged as the experiment does.
@@ -126,8 +101,7 @@ double order_on(const PrecisionScene& scene, const Reference& reference, const I
         }
         points.emplace_back(1. / count, std::sqrt(squares / scene.phases));
     }
-    const auto found = observed_order(points);
-    return found ? found->order : nothing;
+    return observed_order(points).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 TEST(Precision, FindsTheOrderOfAMethod) {
@@ -144,7 +118,7 @@ TEST(Precision, FindsTheOrderOfAMethod) {
 TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
     PrecisionScene scene = precision_scenes(true).back();
     ASSERT_TRUE(scene.has_ball());
-    scene.reference_steps = 1 << 15;
+    for (Rung& rung : scene.reference) rung.steps /= 1 << 5;
     const std::array counts{64, 128, 256};
     const IntegratorParameters rk4{.kind = IntegratorKind::Rk4};
     const double touched = order_on(scene, find_reference(scene), rk4, counts);
@@ -168,7 +142,6 @@ Rows verlet_rows(const Reference& reference) {
                         {"method", "velocity_verlet"},
                         {"step_s", static_cast<double>(soft().horizon) / count},
                         {"end", end.bounded ? "bounded" : "unstable"},
-                        {"measure", reference.measure},
                         {"error", position_error(end.state.x, reference.state.x, soft().side())},
                         {"cost_s_per_s", Quartiles{0.9e-5 * count, 1e-5 * count, 1.1e-5 * count}},
                         {"reference_error", reference.error},
@@ -177,20 +150,17 @@ Rows verlet_rows(const Reference& reference) {
     return rows;
 }
 
-TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarse) {
-    auto rows = verlet_rows(find_reference(soft()));
+TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarseOrWhereSmallErrorsGrow) {
+    const Reference reference = find_reference(soft());
+    const auto rows = verlet_rows(reference);
     EXPECT_THAT(precision_charts(rows), SizeIs(2)) << "of all methods, and of six";
     EXPECT_NEAR(std::get<double>(precision_charts(rows).front().values.at("order_velocity_verlet")), 2, 0.1);
-    for (Row& row : rows) row.set("measure", "overall");
-    EXPECT_EQ(precision_charts(rows).front().values.at("overall"), Chart::Value(1.));
 
-    const auto coarse = verlet_rows(find_reference(soft(), std::array{Real(1e-3), Real(1e-4)}));
-    try {
-        precision_charts(coarse);
-        ADD_FAILURE() << "it was drawn";
-    } catch (const RunError& refusal) {
-        EXPECT_THAT(refusal.what(), AllOf(HasSubstr("'soft'"), HasSubstr("times better"), HasSubstr("no chart")));
-    }
+    const auto refusal = [](const Rows& refused) { return test::run_error_of([&] { precision_charts(refused); }); };
+    const Reference coarse = find_reference(with_reference(soft(), Real(1e-4)));
+    EXPECT_THAT(refusal(verlet_rows({coarse.state, reference.growth, coarse.error})),
+                AllOf(HasSubstr("'soft'"), HasSubstr("times better"), HasSubstr("no chart")));
+    EXPECT_THAT(refusal(verlet_rows({reference.state, 51, reference.error})), HasSubstr("grow 51 times"));
 }
 
 TEST(LabPrecision, WritesARowAStep) {

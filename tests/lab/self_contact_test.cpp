@@ -46,7 +46,7 @@ TEST(NightlyLabSelfContact, FindsCrossingsWithoutTheFailSafeAndWithItWhereTheSea
     EXPECT_THAT(run.out, HasSubstr("thickness_m 0.000125, step_s 0.00416667, zones: 1 row, crossed_steps 0, "));
     const Experiment experiment = self_contact_experiment();
     const auto table = read_table(experiment, folder.path("out/self_contact.csv"), false);
-    const Rows rows = rows_of(experiment.columns, table->rows());
+    const Rows rows = table->rows();
     ASSERT_EQ(rows.size(), 12u) << "four steps three times";
     const Row &zones = rows[3], &rejection = rows[4], &none = rows[5];  // steps of 1/240 s
     EXPECT_EQ(zones.word("fail_safe"), "zones");

@@ -139,6 +139,15 @@ TEST(LabSimulate, MarksARunThatItsMethodHasHeatedOrEndsIt) {
     EXPECT_FALSE(folder.has("unstable.toml")) << "no one step shows it";
 }
 
+TEST(LabSimulate, WarnsOfABallThatMayHaveGoneThrough) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"simulate", "bullet", "--time", "0.3", "--set", "contact.continuous=false",
+                                   "dt=5e-3", "integrator=backward_euler", "ball.velocity=0,-2,0",
+                                   "ball.position=0,50,-5", "ground.solid=false"});
+    EXPECT_EQ(run.code, 0);
+    EXPECT_THAT(run.err, HasSubstr("warning: contact.continuous = false: cloth and a ball"));
+}
+
 // Before the first impact: contact multiplies what rounding leaves, a thousandfold within a tenth of a second.
 TEST(NightlyLabSingle, RunsInSinglePrecision) {
     const LabFolder folder;

@@ -147,6 +147,18 @@ TEST_F(PanelBoxes, AlwaysHaveTheTour) {
     }
 }
 
+TEST_F(PanelBoxes, AreTwiceAsLargeOnADisplayOfTwiceAsManyPixels) {
+    settings_.view.controls = settings_.view.plots = true;
+    const std::vector<PanelBox> usual = boxes({1280, 720}, {});
+    panels_.display_scale = 2;
+    const std::vector<PanelBox>& fine = boxes({2560, 1440}, {});
+    ASSERT_EQ(fine.size(), usual.size());
+    for (std::size_t i = 0; i < fine.size(); ++i) {
+        EXPECT_NEAR((fine[i].right - fine[i].left) / (usual[i].right - usual[i].left), 2, 0.2) << i;
+        EXPECT_NEAR((fine[i].bottom - fine[i].top) / (usual[i].bottom - usual[i].top), 2, 0.2) << i;
+    }
+}
+
 /// Rows, seen from the panel's height.
 TEST_F(PanelBoxes, HaveRowsForTheBalanceThatIsAskedFor) {
     settings_.view.bounds = settings_.solver.ledger = false;

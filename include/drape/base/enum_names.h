@@ -1,62 +1,80 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace drape {
 
-/// Whether a value is one of its enumeration's: compilers print such a value by its name, any other as a number behind
-/// a cast.
+template <class Enum>
+concept Enumeration = std::is_enum_v<Enum>;
+
+/// An enumerator as the compiler writes it: "drape::Fabric::Silk". Any other value is a number behind a cast.
 template <auto Value>
-consteval bool is_enumerator() {
-    return std::string_view(__PRETTY_FUNCTION__).find("Value = (") == std::string_view::npos;
+consteval std::string_view enumerator_text() {
+    const std::string_view function = __PRETTY_FUNCTION__, mark = "Value = ";
+    const std::size_t begin = function.find(mark) + mark.size();
+    return function.substr(begin, function.find_first_of(";]", begin) - begin);
 }
 
-/// The names of an enumeration's values 0, 1, 2, ... as they are shown and read. An enumeration that is shown has them
-/// beside it, as in
-///
-///     template <>
-///     inline constexpr auto enum_names<Plane> = all_names<Plane>("xz", "xy");
-///
-/// which does not compile with a name too few or too many.
-template <class Enum>
-inline constexpr std::nullptr_t enum_names = nullptr;
-
-template <class Enum, class... Names>
-consteval std::array<std::string_view, sizeof...(Names)> all_names(Names... names) {
-    static_assert(!is_enumerator<static_cast<Enum>(sizeof...(Names))>(), "a value has no name");
-    static_assert(is_enumerator<static_cast<Enum>(sizeof...(Names) - 1)>(), "a name has no value");
-    return {names...};
+template <Enumeration Enum, std::size_t Value = 0>
+consteval std::size_t count_values() {
+    if constexpr (enumerator_text<static_cast<Enum>(Value)>().starts_with('(')) {
+        return Value;
+    } else {
+        return count_values<Enum, Value + 1>();
+    }
 }
 
-template <class Enum>
-concept NamedEnum = std::is_enum_v<Enum> && !std::is_null_pointer_v<std::remove_cv_t<decltype(enum_names<Enum>)>>;
+/// How many values an enumeration has: 0, 1, 2, ...
+template <Enumeration Enum>
+inline constexpr std::size_t enum_count = count_values<Enum>();
+
+/// What an enumerator is called that cannot have the name by which it is shown; empty for all others.
+template <auto Value>
+inline constexpr std::string_view other_name = "";
+
+/// A value's name as it is shown and read, which follows from the enumerator's: PrincipalStrain is "principal_strain".
+template <auto Value>
+std::string shown_name() {
+    if (!other_name<Value>.empty()) return std::string(other_name<Value>);
+    const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+    const std::string_view name = enumerator_text<Value>().substr(enumerator_text<Value>().rfind(':') + 1);
+    std::string shown;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (i > 0 && is_capital(name[i]) && !is_capital(name[i - 1])) shown += '_';
+        shown += static_cast<char>(is_capital(name[i]) ? name[i] - 'A' + 'a' : name[i]);
+    }
+    return shown;
+}
 
 /// All names, in the order of the values.
-template <NamedEnum Enum>
+template <Enumeration Enum>
 std::span<const std::string> names_of() {
-    static const std::vector<std::string> names(enum_names<Enum>.begin(), enum_names<Enum>.end());
+    static const auto names = []<std::size_t... values>(std::index_sequence<values...>) {
+        return std::vector{shown_name<static_cast<Enum>(values)>()...};
+    }
+    (std::make_index_sequence<enum_count<Enum>>());
     return names;
 }
 
-template <NamedEnum Enum>
+template <Enumeration Enum>
 const std::string& name_of(Enum value) {
     return names_of<Enum>()[static_cast<std::size_t>(value)];
 }
 
 /// The value of a name; nothing if none is called so.
-template <NamedEnum Enum>
-constexpr std::optional<Enum> value_named(std::string_view name) {
-    for (std::size_t i = 0; i < enum_names<Enum>.size(); ++i) {
-        if (enum_names<Enum>[i] == name) return static_cast<Enum>(i);
-    }
-    return std::nullopt;
+template <Enumeration Enum>
+std::optional<Enum> value_named(std::string_view name) {
+    const auto names = names_of<Enum>();
+    const auto found = std::ranges::find(names, name);
+    return found != names.end() ? std::optional(static_cast<Enum>(found - names.begin())) : std::nullopt;
 }
 
 }  // namespace drape

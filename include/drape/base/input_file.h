@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <istream>
+#include <memory>
 #include <streambuf>
 #include <string>
 
@@ -26,26 +26,7 @@ public:
                        InputKind kind = InputKind::RegularOrOpen);
 
 private:
-    class Buffer : public std::streambuf {
-    public:
-        Buffer(const std::string& name, std::uintmax_t largest, InputKind kind);
-        ~Buffer() override;
-        Buffer(const Buffer&) = delete;
-        Buffer& operator=(const Buffer&) = delete;
-
-    protected:
-        int_type underflow() override;
-
-    private:
-        [[noreturn]] void fail(const std::string& why) const;
-
-        std::string name_;
-        std::uintmax_t left_;  ///< bytes that may still come
-        int file_ = -1;
-        std::array<char, 1 << 16> bytes_{};
-    };
-
-    Buffer buffer_;
+    std::unique_ptr<std::streambuf> buffer_;
 };
 
 /// A whole file. @throws InputError as `InputFile`

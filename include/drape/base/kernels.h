@@ -8,7 +8,4 @@ namespace drape {
 /// through; `Vector` does the same arithmetic with the widest vectors of the processor, to rounding the same.
 enum class Kernels { Vector, Plain };
 
-template <>
-inline constexpr auto enum_names<Kernels> = all_names<Kernels>("vector", "plain");
-
 }  // namespace drape

@@ -14,6 +14,9 @@ namespace drape {
 ///         numbers here; the caller's range refuses them.
 std::optional<double> parse_real(std::string_view text);
 
+/// The text without the blanks about it.
+std::string_view trimmed(std::string_view text);
+
 /// The pieces of a text between its commas: one more than there are commas.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 

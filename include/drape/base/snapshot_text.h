@@ -113,10 +113,10 @@ private:
         if (std::integral<T>) return exchange(Within<T>{value, 0, sizeof(T) < 8 ? 1e9 : 1e15});
         exchange(Within<T>{value, -1e12, 1e12});
     }
-    template <NamedEnum Enum>
+    template <Enumeration Enum>
     void exchange(Enum& value) {
         auto number = static_cast<int>(value);
-        exchange(Within<int>{number, 0, static_cast<double>(enum_names<Enum>.size() - 1)});
+        exchange(Within<int>{number, 0, static_cast<double>(enum_count<Enum> - 1)});
         value = static_cast<Enum>(number);
     }
     void exchange(Vec3& vector) {

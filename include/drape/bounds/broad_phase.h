@@ -17,10 +17,6 @@ namespace drape {
 /// The volumes of the hierarchy, and `Brute`: no hierarchy, every cell is a candidate.
 enum class VolumeKind { Sphere, Aabb, Kdop6, Kdop14, Kdop18, Kdop26, Obb, Brute };
 
-template <>
-inline constexpr auto enum_names<VolumeKind> = all_names<VolumeKind>("sphere", "aabb", "kdop6", "kdop14", "kdop18",
-                                                                     "kdop26", "obb", "brute");
-
 /// How a hierarchy follows the cloth.
 enum class UpdateKind {
     Rebuild,    ///< every node, from the root down, is fitted to all of its own particles: the dissertation's way
@@ -29,9 +25,6 @@ enum class UpdateKind {
     Refit,      ///< as merge, but only where particles have moved
     None        ///< the first tree is held, and inflated by the largest displacement since
 };
-
-template <>
-inline constexpr auto enum_names<UpdateKind> = all_names<UpdateKind>("rebuild", "merge", "insertion", "refit", "none");
 
 /// Where a search may end before the leaves: the nodes whose children it has not visited then stand for what they hold,
 /// as spheres. @cite hubbard1996

@@ -15,7 +15,7 @@ namespace drape {
 /// Any volume that a node may have, in the order of their kinds.
 using AnyVolume = std::variant<BoundingSphere, Aabb, KDop<6>, KDop<14>, KDop<18>, KDop<26>, Obb>;
 static_assert(std::variant_size_v<AnyVolume> == static_cast<std::size_t>(VolumeKind::Brute) &&
-                  std::variant_size_v<AnyVolume> + 1 == enum_names<VolumeKind>.size(),
+                  std::variant_size_v<AnyVolume> + 1 == enum_count<VolumeKind>,
               "every kind has its volume, and brute force, which has none, is the last kind");
 
 /// What visit(std::type_identity<Volume>()) returns for the volume of a kind. @pre any kind but `Brute`

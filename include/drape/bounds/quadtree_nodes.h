@@ -26,7 +26,7 @@ enum class NodeVisit : std::uint8_t {
 };
 
 /// The side of a leaf that was measured to be the fastest for build and query together: 7 cells, of which a row of
-/// particles fills a vector of 8, for small cloths, and 15 for large ones (benchmarks `merge_query` and `whole_frame`).
+/// particles fills a vector of 8, for small cloths, and 15 for large ones.
 int measured_leaf_cells(const Grid& grid);
 
 /// The nodes of a quadtree over a grid of cells, level by level from the root. It depends on the grid alone. Nodes are

@@ -27,8 +27,7 @@ enum class SphereFit {
 };
 
 template <>
-inline constexpr auto enum_names<SphereFit> = all_names<SphereFit>("centroid", "box", "ritter", "epos6", "epos14",
-                                                                   "epos26", "welzl");
+inline constexpr std::string_view other_name<SphereFit::BoxCentre> = "box";
 
 /// The fit of a kind: plain, or with its passes by vector kernels.
 [[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&);

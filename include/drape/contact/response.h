@@ -20,9 +20,6 @@ enum class ResponseKind {
     Hybrid       ///< impulses on impact, penalties at rest
 };
 
-template <>
-inline constexpr auto enum_names<ResponseKind> = all_names<ResponseKind>("projection", "penalty", "impulse", "hybrid");
-
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
     Real friction = Real(0.3);          ///< Coulomb coefficient between cloths

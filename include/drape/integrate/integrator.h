@@ -25,12 +25,6 @@ enum class IntegratorKind {
     DormandPrince
 };
 
-template <>
-inline constexpr auto enum_names<IntegratorKind> = all_names<IntegratorKind>("explicit_euler", "symplectic_euler",
-                                                                             "velocity_verlet", "rk4", "backward_euler",
-                                                                             "implicit_midpoint", "bdf2", "xpbd",
-                                                                             "projective_dynamics", "dormand_prince");
-
 /// What an integrator is made from; each reads what concerns it.
 struct IntegratorParameters {
     IntegratorKind kind = IntegratorKind::VelocityVerlet;

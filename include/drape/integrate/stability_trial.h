@@ -21,10 +21,6 @@ enum class TrialEnd {
                  ///< grows, but the method leaves springs longer than their forces allow
 };
 
-template <>
-inline constexpr auto enum_names<TrialEnd> = all_names<TrialEnd>("bounded", "not_finite", "energy_rose", "out_of_reach",
-                                                                 "stretched");
-
 /// The rise of its energy by which a cloth counts as diverged: M g L, with the earth's g whether or not it feels it
 /// [J].
 Real energy_to_fail(const ClothModel& model);

@@ -18,9 +18,6 @@ struct SpringLaw {
 /// The plane in which a cloth starts: `XZ` is horizontal, `XY` is vertical.
 enum class Plane { XZ, XY };
 
-template <>
-inline constexpr auto enum_names<Plane> = all_names<Plane>("xz", "xy");
-
 /// Which particles never move: one of the names none, two, four, row, border, or a list of particle numbers.
 struct Pins {
     enum class Kind { None, Two, Four, Row, Border, List };
@@ -28,9 +25,6 @@ struct Pins {
     std::vector<int> list;  ///< particle numbers, for `Kind::List` only
     bool operator==(const Pins&) const = default;
 };
-
-template <>
-inline constexpr auto enum_names<Pins::Kind> = all_names<Pins::Kind>("none", "two", "four", "row", "border", "list");
 
 /// What describes a cloth, before anything is computed from it.
 struct ClothParameters {

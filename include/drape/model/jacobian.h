@@ -13,9 +13,6 @@ namespace drape {
 /// damping adds to K is left out where it is not symmetric; K is then symmetric and positive semidefinite.
 enum class Hessian { Clamped, Exact };
 
-template <>
-inline constexpr auto enum_names<Hessian> = all_names<Hessian>("clamped", "exact");
-
 /// The Jacobians K = -df/dx and D = -df/dv of the forces of springs, air drag and wind, spring by spring, triangle by
 /// triangle, and never as a matrix.
 ///

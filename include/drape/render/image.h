@@ -19,6 +19,9 @@ struct PictureSize {
 /// @throws InputError unless both lie in 1 to 8192
 PictureSize parse_size(const std::string& text);
 
+/// "1280x720"
+std::string size_text(const PictureSize& size);
+
 /// A text that goes with a picture, in UTF-8.
 struct ImageText {
     std::string keyword;  ///< "Software": 1 to 79 printing characters of ASCII

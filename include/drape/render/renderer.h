@@ -71,8 +71,9 @@ public:
     std::vector<KeyHelp> help;  ///< shown by `settings->view.help`
     std::vector<KeyHelp> hint;  ///< what to try first, in a panel at the bottom; no lines: no panel
     int hover_x = -1,
-        hover_y = -1;    ///< of the pointer over the picture, where the node is named; -1: not known [pixel]
-    PanelWishes wishes;  ///< since they were last taken
+        hover_y = -1;          ///< of the pointer over the picture, where the node is named; -1: not known [pixel]
+    PanelWishes wishes;        ///< since they were last taken
+    double display_scale = 1;  ///< pixels for one of a usual display: text, and lines of the scene too, grow with it
 
     /// The settings to which the settings panel's buttons lead back.
     virtual void set_scene(const Settings& settings) = 0;

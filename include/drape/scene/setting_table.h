@@ -27,6 +27,12 @@ struct Range {
     double high;
 };
 
+/// A section of the scene file that may stand several times: for cloths, balls, solids and pins.
+struct SeveralSections {
+    std::size_t (*count)(const Settings&);
+    void (*add)(Settings&);
+};
+
 /// One row of the table of settings, from which the scene loader, `--set`, `--help` and `list settings` are made.
 struct Setting {
     std::string section;  ///< of the scene file: "cloth", "ball", "solver", ...; empty for the title
@@ -38,6 +44,7 @@ struct Setting {
     std::string help;                                                        ///< one line
     std::function<SettingValue(const Settings&, std::size_t)> read;          ///< of the index-th cloth, ball, ...
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
+    const SeveralSections* several = nullptr;                                ///< null: the section stands once
 
     double usual_high = 0;        ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
     bool full_name_only = false;  ///< its short name belongs to another setting that was there before
@@ -56,7 +63,9 @@ std::span<const Setting> setting_table();
 
 /// How many times the section of a setting stands in the settings: for cloths, balls, solids and pins as many as there
 /// are, else once.
-std::size_t section_count(const Settings& settings, const Setting& setting);
+inline std::size_t section_count(const Settings& settings, const Setting& setting) {
+    return setting.several != nullptr ? setting.several->count(settings) : 1;
+}
 
 /// The setting called `name`: its full name ("solver.dt") or, where only one setting ends so, its short one ("dt").
 /// @throws InputError that names the nearest known one, or the candidates of a short name that fits several

@@ -17,9 +17,6 @@ namespace drape {
 /// What moves a ball: the keys, a path through points in time, nothing, or gravity and whatever touches it.
 enum class BallMotion { Keys, Path, Still, Free };
 
-template <>
-inline constexpr auto enum_names<BallMotion> = all_names<BallMotion>("keys", "path", "still", "free");
-
 /// A point of a ball's path: where its centre is at a time.
 struct PathPoint {
     Real time = 0;               ///< [s]
@@ -41,14 +38,8 @@ struct BallSettings {
 /// The shape of a solid.
 enum class SolidKind { Box, Capsule, Mesh };
 
-template <>
-inline constexpr auto enum_names<SolidKind> = all_names<SolidKind>("box", "capsule", "mesh");
-
 /// What moves a solid.
 enum class SolidMotion { Still, Path };
-
-template <>
-inline constexpr auto enum_names<SolidMotion> = all_names<SolidMotion>("still", "path");
 
 struct SolidSettings {
     SolidKind shape = SolidKind::Box;
@@ -78,9 +69,6 @@ struct PinSettings {
 /// many substeps as its limit asks for; or end with the state.
 enum class OnUnstable { Warn, Substep, Stop };
 
-template <>
-inline constexpr auto enum_names<OnUnstable> = all_names<OnUnstable>("warn", "substep", "stop");
-
 struct SolverSettings {
     IntegratorKind integrator = IntegratorKind::VelocityVerlet;
     Hessian hessian = Hessian::Clamped;
@@ -104,7 +92,9 @@ enum class Continuous {
 };
 
 template <>
-inline constexpr auto enum_names<Continuous> = all_names<Continuous>("auto", "true", "false");
+inline constexpr std::string_view other_name<Continuous::Always> = "true";
+template <>
+inline constexpr std::string_view other_name<Continuous::Never> = "false";
 
 struct ContactSettings {
     VolumeKind volume = VolumeKind::Sphere;
@@ -140,9 +130,6 @@ struct WindSettings {
 /// How much the stats panel shows: nothing, what a glance takes in, or every figure.
 enum class PanelSize { Off, Compact, Full };
 
-template <>
-inline constexpr auto enum_names<PanelSize> = all_names<PanelSize>("off", "compact", "full");
-
 /// What the colour of the cloth says.
 enum class ColourBy {
     Plain,            ///< nothing but front and back
@@ -155,19 +142,12 @@ enum class ColourBy {
     Difference  ///< from the simulation that this one is compared with
 };
 
-template <>
-inline constexpr auto enum_names<ColourBy> = all_names<ColourBy>("plain", "strain", "principal_strain", "speed",
-                                                                 "depth", "level", "side", "difference");
-
 /// How much is spent on a picture.
 enum class PictureQuality {
     Auto,  ///< fast in a window whose display is slow while something moves, else full
     Fast,  ///< half the width and height, one sample a pixel, fewer particles of a large cloth
     Full   ///< smooth edges
 };
-
-template <>
-inline constexpr auto enum_names<PictureQuality> = all_names<PictureQuality>("auto", "fast", "full");
 
 /// What the cloth looks like.
 enum class Fabric {
@@ -177,14 +157,8 @@ enum class Fabric {
     Plain    ///< one colour in simple light
 };
 
-template <>
-inline constexpr auto enum_names<Fabric> = all_names<Fabric>("cotton", "silk", "denim", "plain");
-
 /// The colours of cloths, ground and wall.
 enum class Palette { Studio, Dusk, Linen };
-
-template <>
-inline constexpr auto enum_names<Palette> = all_names<Palette>("studio", "dusk", "linen");
 
 /// What the picture shows besides cloth and ball. It changes no state.
 struct ViewSettings {
@@ -216,9 +190,6 @@ enum class NeedsMeasure {
     Positions,       ///< RMS distance of the particles
     CentreAndSpread  ///< of the centres of mass, or of the RMS distances from them, whichever differs more
 };
-
-template <>
-inline constexpr auto enum_names<NeedsMeasure> = all_names<NeedsMeasure>("positions", "centre_and_spread");
 
 /// What of a scene's cloth may be left out; zero: as in the scene.
 struct FullModelSettings {

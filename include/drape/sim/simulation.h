@@ -89,11 +89,14 @@ public:
     /// Steps that a `step` command asked for and that have not been made.
     [[nodiscard]] int steps_wanted() const { return steps_wanted_; }
 
+    /// The most substeps of a step that the limits ask for.
+    static constexpr double max_substeps = 1000;
+
 private:
     // The stages of a step, in their order
     void begin_step();
+    void plan_step();
     void plan(int fewest);
-    [[nodiscard]] Substep substep(int number) const;
     bool input(const Substep& now);
     bool integrate(const Substep& now);
     void limit_stretch();
@@ -101,7 +104,27 @@ private:
     void close_report();
     void rest();
 
-    [[nodiscard]] bool is_kinematic(std::size_t ball) const;
+    /// Looks at what the integrators have made of a substep of length h [s], enters it in each cloth's energy, and
+    /// marks in the report what is in doubt.
+    /// @return why the run must end, one line: a cloth has diverged or a step could not be made; under
+    ///         `on_unstable = stop` also a doubt. Empty while it goes on
+    std::string check_substep(Real h);
+
+    /// Reports the largest excess over the stretch limits that shortening and contact have left at the end of a step.
+    /// @par Cost one pass over two springs a particle; nothing without a limit
+    void measure_stretch();
+
+    /// How deep the deepest particle that is not pinned is in a ball, a solid or the ground [m]; 0 if none is deeper
+    /// than the cloth is thick.
+    /// @par Cost O(particles * (balls + solids))
+    [[nodiscard]] Real deepest_particle() const;
+
+    /// What is wrong with the step of a run that has diverged, as a sentence with a space after it; empty if nothing.
+    [[nodiscard]] std::string limit_advice() const;
+
+    /// That the step is longer than the limit of the method, or of the penalty.
+    [[nodiscard]] std::string limit_warnings() const;
+
     [[nodiscard]] bool kinematic_body_has_moved() const;
     void end_with(std::string error);
     void fall_asleep();
@@ -109,9 +132,7 @@ private:
 
     void carry_out(const Command& command);
     void restart();
-    void load(const std::string& scene);
-    void keep_window(Settings& settings) const;
-    void go_on_from(Simulation&& snapshot);
+    void go_on_from(Simulation&& other);
     void change_pin(const command::Pin& pin);
     void configure(Settings settings);
 
@@ -124,7 +145,6 @@ private:
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
     void stop_balls();
-    void configure_solids(const Settings& before, std::vector<Solid> solids);
     void choose_ball();
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);

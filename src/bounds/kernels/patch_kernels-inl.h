@@ -43,11 +43,16 @@ HWY_INLINE void store_eight(D d, const Eight<D>& values, Real* to) {
     for (int p = 0; p < Eight<D>::vectors; ++p) hn::StoreU(values.vector[p], d, to + p * Eight<D>::lanes);
 }
 
+template <class Lane>
+HWY_INLINE Real pairwise_total(Lane lane) {
+    return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
+}
+
 template <class D>
 HWY_INLINE Real pairwise_total(D d, const Eight<D>& values) {
     Real lane[eight];
     store_eight(d, values, lane);
-    return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));
+    return pairwise_total([&](int k) HWY_ATTR { return lane[k]; });
 }
 
 /// The sums of one coordinate.
@@ -55,17 +60,27 @@ template <class D>
 HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner_total, Real& right,
                           Real& below_total) {
     Eight<D> inner = load_eight(d, from, 0), below = inner;
+    // Of a short row that another one follows, eight can be read all the same: what is too much is left out of the
+    // sums. To copy the few would be slower, for a vector that is loaded where single values were just stored waits for
+    // them
+    const bool follows = patch.stride + patch.columns >= eight;
     for (int counted = 0; counted < patch.columns; counted += eight) {
         // The last eight start early enough to end with the row; what was counted before is left out
         const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight));
         const int count = HWY_MIN(eight, patch.columns - i), corner = patch.columns - 1 - i;
-        Eight<D> column = load_eight(d, from + i, count);
+        const int read = follows ? eight : count;
+        Eight<D> column = load_eight(d, from + i, read);
         for (int j = 1; j + 1 < patch.rows; ++j) {
-            const Eight<D> row = load_eight(d, from + j * patch.stride + i, count);
+            const Eight<D> row = load_eight(d, from + j * patch.stride + i, read);
             for (int p = 0; p < Eight<D>::vectors; ++p) column.vector[p] = hn::Add(column.vector[p], row.vector[p]);
         }
         add_between(d, column, counted - i, corner, inner);
-        add_between(d, load_eight(d, from + (patch.rows - 1) * patch.stride + i, count), counted - i, corner, below);
+        const Real* const last = from + (patch.rows - 1) * patch.stride + i;
+        if (count < eight) {
+            below_total = pairwise_total([&](int k) HWY_ATTR { return k < corner ? last[k] : 0; });
+        } else {
+            add_between(d, load_eight(d, last, count), counted - i, corner, below);
+        }
         if (corner < eight) {
             Real lane[eight];
             store_eight(d, column, lane);
@@ -73,7 +88,7 @@ HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner
         }
     }
     inner_total = pairwise_total(d, inner);
-    below_total = pairwise_total(d, below);
+    if (patch.columns >= eight) below_total = pairwise_total(d, below);
 }
 
 PatchSums sums_of(const Patch& patch) {

@@ -12,7 +12,7 @@ constexpr std::size_t max_reserved = 100'000;  // contacts
 ResponseReport respond_in_kind(ContactProblem& problem) {
     // In the order of the kinds
     constexpr std::array responses{respond_by_projection, respond_by_penalties, respond_by_impulses, respond_by_hybrid};
-    static_assert(responses.size() == enum_names<ResponseKind>.size(), "every kind has its response");
+    static_assert(responses.size() == enum_count<ResponseKind>, "every kind has its response");
     return responses[static_cast<std::size_t>(problem.parameters.kind)](problem);
 }
 

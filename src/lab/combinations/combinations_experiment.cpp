@@ -87,7 +87,7 @@ std::vector<Settings> with_all_trees(const Settings& combination) {
 }
 
 std::size_t sampled_tree(std::size_t number) {
-    constexpr std::size_t updates = enum_names<UpdateKind>.size(), volumes = enum_names<VolumeKind>.size() - 1;
+    constexpr std::size_t updates = enum_count<UpdateKind>, volumes = enum_count<VolumeKind> - 1;
     // Both numbers go through all their values for one integrator, and from one integrator to the next
     const std::size_t integrator = number / 8, rest = number % 8;
     return (integrator + rest) % volumes * updates + (3 * integrator + rest) % updates;

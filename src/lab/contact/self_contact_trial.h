@@ -28,9 +28,6 @@ enum class FailSafe {
     None
 };
 
-template <>
-inline constexpr auto enum_names<FailSafe> = all_names<FailSafe>("zones", "rejection", "none");
-
 /// What a step of a trial has done, by columns of the table of `self_contact`: `pair_tests` of two volumes and of two
 /// features; particles that were `held_back`; steps and parts of steps that were taken back, `rejected`; and 1 as
 /// `unsearched_steps` if the search gave up, as `unsafe_steps` if a part would still cross after the most halvings.

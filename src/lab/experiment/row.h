@@ -52,7 +52,7 @@ inline Column word_column(std::string name, std::vector<std::string> words) {
 }
 
 /// A column of the names of an enumeration's values, and others.
-template <NamedEnum Enum>
+template <Enumeration Enum>
 Column name_column(std::string name, const std::vector<std::string>& others = {}) {
     const auto names = names_of<Enum>();
     return word_column(std::move(name), {names.begin(), names.end()}).or_words(others);
@@ -81,7 +81,7 @@ struct Cell : std::variant<double, std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
         : variant(static_cast<double>(number)) {}
-    template <NamedEnum Enum>
+    template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
     Cell(const char* word) : variant(word) {}
     Cell(std::string word) : variant(std::move(word)) {}

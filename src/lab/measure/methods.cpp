@@ -21,4 +21,12 @@ std::vector<Method> methods_named(std::initializer_list<std::string> names) {
     return methods;
 }
 
+Settings with_method(Settings scene, const IntegratorParameters& method) {
+    scene.solver.integrator = method.kind;
+    scene.solver.hessian = method.hessian;
+    scene.solver.iterations = method.iterations;
+    scene.solver.tolerance = method.tolerance;
+    return scene;
+}
+
 }  // namespace drape

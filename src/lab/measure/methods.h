@@ -6,14 +6,15 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 
 /// All values of an enumeration with names.
-template <NamedEnum Enum>
+template <Enumeration Enum>
 std::vector<Enum> values_of() {
     std::vector<Enum> values;
-    for (std::size_t k = 0; k < enum_names<Enum>.size(); ++k) values.push_back(static_cast<Enum>(k));
+    for (std::size_t k = 0; k < enum_count<Enum>; ++k) values.push_back(static_cast<Enum>(k));
     return values;
 }
 
@@ -25,5 +26,8 @@ struct Method {
 
 /// @param names of an integrator, with "_clamped" or "_exact" behind it for the Hessian, or a number of iterations
 std::vector<Method> methods_named(std::initializer_list<std::string> names);
+
+/// A scene that is moved by a method: its kind, Hessian, iterations and tolerance.
+Settings with_method(Settings scene, const IntegratorParameters& method);
 
 }  // namespace drape

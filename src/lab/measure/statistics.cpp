@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <numeric>
 
 #include "drape/base/assert.h"
 #include "drape/base/exact_math.h"
@@ -46,7 +45,7 @@ double fitted_exponent(std::span<const std::pair<double, double>> points) {
     return xy / xx;
 }
 
-std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points) {
+std::optional<double> observed_order(std::span<const std::pair<double, double>> points) {
     constexpr std::size_t fewest = 3;
     if (points.size() < fewest) return std::nullopt;
     const auto slope_at = [points](std::size_t i) {
@@ -60,21 +59,7 @@ std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, do
     while (count < points.size() && differ(slope_at(points.size() - count - 1), order) <= 0.15) {
         order = fitted_exponent(points.last(++count));
     }
-    return ObservedOrder{order, count};
-}
-
-std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points) {
-    std::vector<std::size_t> by_error(points.size());
-    std::iota(by_error.begin(), by_error.end(), std::size_t{0});
-    std::ranges::stable_sort(by_error, {}, [&points](std::size_t i) { return points[i]; });
-    std::vector<std::size_t> front;
-    double cheapest = std::numeric_limits<double>::infinity();
-    for (const std::size_t i : by_error) {
-        if (!(points[i].second < cheapest)) continue;
-        cheapest = points[i].second;
-        front.push_back(i);
-    }
-    return front;
+    return order;
 }
 
 }  // namespace drape

@@ -15,7 +15,6 @@ struct Quartiles {
 
 /// In place of a number that there is not.
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-inline constexpr Quartiles no_quartiles{no_number, no_number, no_number};
 
 /// @param values at least one; between two of them it is interpolated linearly
 Quartiles quartiles_of(std::vector<double> values);
@@ -39,24 +38,12 @@ double program_cpu_time();
 /// @param points (x, y), all positive; at least two of different x
 double fitted_exponent(std::span<const std::pair<double, double>> points);
 
-/// How an error falls with the step.
-struct ObservedOrder {
-    double order = 0;
-    std::size_t points = 0;  ///< how many of the finest it is fitted to
-};
-
 /// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
 /// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is
 /// none. Coarser points join one by one, as long as the slope to the next is within 0.15, or 15 %, of what is fitted so
 /// far.
 /// @param points (step, error), all positive, from coarse to fine
 /// @return nothing if there are fewer than 3 points, or the finest do not follow one power
-std::optional<ObservedOrder> observed_order(std::span<const std::pair<double, double>> points);
-
-/// Those of some points that no other one beats: none is at most as large in both numbers.
-/// @param points (error, cost); of equal ones the first counts
-/// @return their numbers, with falling cost
-/// @par Cost O(n log n)
-std::vector<std::size_t> pareto_front(std::span<const std::pair<double, double>> points);
+std::optional<double> observed_order(std::span<const std::pair<double, double>> points);
 
 }  // namespace drape

@@ -1,7 +1,6 @@
 #include "configurations.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -10,22 +9,6 @@
 #include "drape/scene/scene.h"
 
 namespace drape {
-namespace {
-
-constexpr std::array ordered{Knob::Particles, Knob::Bend, Knob::Drag, Knob::Dt, Knob::Iterations};
-
-/// A decade of the ladder of steps [1e-7 s], and the decades that are tried.
-constexpr std::array decade{1000, 1250, 1600, 2000, 2500, 3125, 4000, 5000, 6250, 8000};
-constexpr std::array decades{1e9, 1e8, 1e7, 1e6, 1e5};
-constexpr double longest_trial_step = 1.0 / 60, shortest_trial_step = 1e-5;  // s
-
-constexpr int fewest_cells = 4;  // a side
-
-int fewer_cells(int particles) { return static_cast<int>(std::lround(0.8 * (particles - 1))); }
-
-}  // namespace
-
-std::span<const Knob> ordered_knobs() { return ordered; }
 
 std::set<Knob> free_knobs(const Settings& scene) {
     const auto names = names_of<Knob>();
@@ -44,22 +27,9 @@ std::set<Knob> free_knobs(const Settings& scene) {
     }
     if (scene.cloths[0].pinned.kind == Pins::Kind::List || !scene.start.empty()) knobs.erase(Knob::Particles);
     if (scene.balls.empty()) {
-        for (const Knob knob : {Knob::Volume, Knob::Update, Knob::SphereFit, Knob::LeafCells}) knobs.erase(knob);
+        for (const Knob knob : hierarchy_knobs) knobs.erase(knob);
     }
     return knobs;
-}
-
-std::vector<double> step_ladder() {
-    std::vector<double> steps;
-    for (const double unit : decades) {
-        for (const int step : decade) {
-            // A quotient of whole numbers is the nearest to the decimal number that is meant
-            const double dt = step / unit;
-            if (dt >= shortest_trial_step && dt <= longest_trial_step) steps.push_back(dt);
-        }
-    }
-    std::sort(steps.rbegin(), steps.rend());
-    return steps;
 }
 
 Settings on_grid(Settings scene, const Grid& grid) {
@@ -71,10 +41,13 @@ Settings on_grid(Settings scene, const Grid& grid) {
 }
 
 std::optional<Settings> one_notch_less(const Settings& scene, Knob knob) {
+    if (!free_knobs(scene).contains(knob)) return std::nullopt;
     Settings less = scene;
     ClothParameters& cloth = less.cloths[0];
     if (knob == Knob::Particles) {
-        const int across = fewer_cells(cloth.particles.nx), along = fewer_cells(cloth.particles.ny);
+        constexpr int fewest_cells = 4;  // a side
+        const auto fewer = [](int particles) { return static_cast<int>(std::lround(0.8 * (particles - 1))); };
+        const int across = fewer(cloth.particles.nx), along = fewer(cloth.particles.ny);
         if (std::min(across, along) < fewest_cells) return std::nullopt;
         return on_grid(scene, {across + 1, along + 1});
     }
@@ -82,7 +55,7 @@ std::optional<Settings> one_notch_less(const Settings& scene, Knob knob) {
     if (knob == Knob::Drag) cloth.drag = 0;
     if (knob == Knob::Dt) {
         const double clearly_longer = 1.0001 * scene.solver.dt;
-        for (const double dt : step_ladder()) {
+        for (const double dt : step_ladder) {
             if (dt > clearly_longer) less.solver.dt = dt;
         }
     }
@@ -119,24 +92,6 @@ Settings computed_closely(Settings scene, double dt) {
 
 namespace files = std::filesystem;
 
-Settings with_full_model(Settings found, const Settings& full) {
-    const ClothParameters& cloth = full.cloths[0];
-    found.needs.full = {cloth.particles, cloth.bend, cloth.drag};
-    return found;
-}
-
-std::filesystem::path file_of_scene(const std::string& name_or_path) {
-    const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-    if (is_path) return name_or_path;
-    const std::string file = name_or_path + ".toml";
-    std::error_code ignored;
-    if (files::exists(files::symlink_status(file, ignored))) {
-        throw InputError("--write: " + file + " is there already, and may be another scene: allowed ./" + file +
-                         ", to read and write that one, or another folder");
-    }
-    return file;
-}
-
 namespace {
 
 /// A scene names its start state as seen from its own folder.
@@ -147,27 +102,31 @@ std::string start_from(const files::path& file, const std::string& start) {
 
 }  // namespace
 
-void check_written_start(const Settings& scene, const std::filesystem::path& file) {
-    if (scene.start.empty() || !start_from(file, scene.start).starts_with("..")) return;
-    throw InputError("--write: start = " + scene.start + ": allowed only a file in the folder of " + file.string() +
-                     " or below, which that scene may name");
+files::path file_of_scene(const std::string& name_or_path, const Settings& scene) {
+    const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
+    const std::string file = is_path ? name_or_path : name_or_path + ".toml";
+    std::error_code ignored;
+    if (!is_path && files::exists(files::symlink_status(file, ignored))) {
+        throw InputError("--write: " + file + " is there already, and may be another scene: allowed ./" + file +
+                         ", to read and write that one, or another folder");
+    }
+    if (!scene.start.empty() && start_from(file, scene.start).starts_with("..")) {
+        throw InputError("--write: start = " + scene.start + ": allowed only a file in the folder of " + file +
+                         " or below, which that scene may name");
+    }
+    return file;
 }
 
-void write_scene(const Settings& scene, const std::filesystem::path& file) {
-    Settings written = scene;
-    if (!written.start.empty()) written.start = start_from(file, written.start);
+void write_scene(Settings scene, const Settings& full, const files::path& file) {
+    const ClothParameters& cloth = full.cloths[0];
+    scene.needs.full = {cloth.particles, cloth.bend, cloth.drag};
+    if (!scene.start.empty()) scene.start = start_from(file, scene.start);
     OutputFile out(file.string());
-    out.stream() << scene_text(written);
-    const files::path target = link_target(file);
-    if (files::exists(target)) {
-        const files::path kept = target.string() + "~";
-        UnfinishedFile copy(kept);
-        std::error_code error;
-        files::copy_file(target, copy.name(), files::copy_options::overwrite_existing, error);
-        if (!error) files::permissions(copy.name(), files::status(target).permissions(), error);
-        if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
-        copy.finish();
-    }
+    out.stream() << scene_text(scene);
+    const files::path target = link_target(file), kept = target.string() + "~";
+    std::error_code error;
+    if (files::exists(target)) files::copy_file(target, kept, files::copy_options::overwrite_existing, error);
+    if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
     out.close();
 }
 

@@ -20,11 +20,9 @@ Row row_of(const char* part, const std::string& scene, const Needs& needs, const
             {"integrator", settings.solver.integrator},
             {"step_s", settings.solver.dt},
             {"iterations", settings.solver.iterations},
+            {"error", attempt.error},
             {"outcome", attempt.qualifies() ? "kept" : "rejected"}};
-    if (needs.states_error()) {
-        row.set("allowed_error", needs.scene().needs.position_error);
-        if (attempt.error > 0 || attempt.qualifies()) row.set("error", attempt.error);
-    }
+    if (needs.states_error()) row.set("allowed_error", needs.scene().needs.position_error);
     if (std::isfinite(attempt.miss)) row.set("miss", attempt.miss);
     if (attempt.cost > 0) row.set("cost_s_per_s", attempt.cost);
     return row;
@@ -62,16 +60,10 @@ Rows run_budget(const std::string& scene) {
     const Motion motion = run_to_horizon(as_it_is);
     Rows rows;
     const auto add = [&](const std::string& changed, const Settings& settings, const Motion& moved) {
-        Attempt attempt;
-        attempt.settings = settings;
-        attempt.cost = moved.cost;
-        if (moved.diverged) attempt.note(no_number, "diverged");
-        if (!moved.diverged) attempt.error = needs.error_of(moved);
-        rows.push_back(row_of("budget", scene, needs, attempt));
-        rows.back().set({{"changed", changed},
-                         {"miss", no_number},
-                         {"outcome", moved.diverged ? "diverged" : "compared"},
-                         {"moved", moved.diverged ? no_number : needs.difference(moved, motion)}});
+        Row& row = rows.emplace_back(row_of("budget", scene, needs, {.settings = settings, .cost = moved.cost}));
+        row.set({{"changed", changed}, {"miss", no_number}, {"outcome", "diverged"}});
+        if (moved.diverged) return;
+        row.set({{"outcome", "compared"}, {"error", needs.error_of(moved)}, {"moved", needs.error_of(moved, motion)}});
     };
     add("none", as_it_is, motion);
     for (const Knob knob : {Knob::Particles, Knob::Bend, Knob::Drag, Knob::Integrator, Knob::Dt}) {
@@ -99,28 +91,8 @@ std::vector<std::string> scenes_with_needs() {
 }
 
 template <class Run>
-auto cases_of(const Run& run, const std::vector<std::string>& quick_scenes, const std::vector<std::string>& scenes) {
-    return [=](bool quick) { return cases_over(run, quick ? quick_scenes : scenes); };
-}
-
-std::vector<Chart> ladder_charts(const Rows& rows) {
-    std::vector<Chart> charts;
-    for (const std::string& scene : words_of(rows, "scene")) {
-        charts.push_back(
-            {"minimal_" + scene,
-             {{"scene", scene}, {"allowed", rows_with(rows, "scene", scene).front().number("allowed_error")}},
-             {},
-             "minimal_ladder"});
-    }
-    return charts;
-}
-
-std::vector<Chart> budget_charts(const Rows& rows) {
-    Chart chart{"minimal_budget", {{"scenes", in_words(words_of(rows, "scene"))}}};
-    for (const Row& row : rows_with(rows, "changed", "none")) {
-        chart.values["cost_" + row.word("scene")] = row.number("cost_s_per_s");
-    }
-    return {chart};
+auto cases_of(const Run& run, const std::vector<std::string>& scenes) {
+    return [=](bool quick) { return cases_over(run, quick ? std::vector<std::string>{"hang"} : scenes); };
 }
 
 }  // namespace
@@ -142,9 +114,9 @@ Experiment minimal_experiment() {
              word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"})},
             {{"part", "scene", "changed", "integrator", "outcome"},
              {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
-            {{"ladder", cases_of(run_ladder, {"hang"}, searched), ladder_charts},
-             {"notches", cases_of(run_notches, {"hang"}, scenes_with_needs()), {}},
-             {"budget", cases_of(run_budget, {"hang"}, searched), budget_charts}}};
+            {{"ladder", cases_of(run_ladder, searched), charts_by("scene", "minimal")},
+             {"notches", cases_of(run_notches, scenes_with_needs()), {}},
+             {"budget", cases_of(run_budget, searched), charts_of({{.name = "minimal_budget"}})}}};
 }
 
 }  // namespace drape

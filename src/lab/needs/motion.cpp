@@ -39,7 +39,7 @@ double distance(const Points& x, const Points& full, NeedsMeasure measure) {
 
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-Motion run_to_horizon(const Settings& scene, const Patience& patience, const std::optional<StartState>& start_state) {
+Motion run_to_horizon(const Settings& scene, double cost_limit, const std::optional<StartState>& start_state) {
     Simulation simulation("", scene, start_state);
     const Cloth& cloth = simulation.cloths()[0];
     const StepReport& report = simulation.report();
@@ -48,13 +48,10 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
 
     Motion motion;
     motion.grid = cloth.model.grid;
-    motion.start = cloth.state;
     motion.step_over_limit = report.step_limit_ratio;
-    motion.given_up = motion.step_over_limit > patience.step_over_limit;
-    if (motion.given_up) return motion;
     double seconds = 0, by_clock = 0;
-    while (motion.passed < Motion::moments) {
-        const double moment = horizon * (motion.passed + 1) / Motion::moments;
+    while (motion.x.size() < Motion::moments) {
+        const double moment = horizon * static_cast<double>(motion.x.size() + 1) / Motion::moments;
         constexpr double rounding = 1e-9;  // of a step
         while (report.time - start < moment - rounding * dt && report.status == Status::Ok) {
             const double before = program_cpu_time();
@@ -65,7 +62,7 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
             motion.penetration = larger(motion.penetration, report.penetration);
             motion.stretch = larger(motion.stretch, static_cast<double>(largest_stretch(cloth.model, cloth.state.x)));
             // A run that is far too expensive is not worth its first moment
-            if (report.step % 32 == 0 && seconds > patience.cost * horizon) {
+            if (report.step % 32 == 0 && seconds > cost_limit * horizon) {
                 motion.given_up = true;
                 break;
             }
@@ -76,15 +73,13 @@ Motion run_to_horizon(const Settings& scene, const Patience& patience, const std
         motion.diverged = report.status == Status::Diverged;
         if (motion.diverged || motion.given_up) return motion;
         const double part = std::clamp(1 - (motion.time - moment) / dt, 0.0, 1.0);
-        motion.x[static_cast<std::size_t>(motion.passed)] =
-            between_steps(cloth, static_cast<Real>(part), static_cast<Real>(dt));
-        ++motion.passed;
+        motion.x.push_back(between_steps(cloth, static_cast<Real>(part), static_cast<Real>(dt)));
     }
     return motion;
 }
 
 double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measure, Real side) {
-    DRAPE_ASSERT(motion.passed == Motion::moments && full.passed == Motion::moments);
+    DRAPE_ASSERT(motion.x.size() == Motion::moments && full.x.size() == Motion::moments);
     double largest = 0;
     for (std::size_t k = 0; k < Motion::moments; ++k) {
         largest = larger(largest, distance(motion.x[k], resampled(full.x[k], full.grid, motion.grid), measure));

@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -41,18 +42,17 @@ std::string described(const Settings& settings) {
 /// How a configuration looks for contacts, after a comma; empty without a ball.
 std::string hierarchy(const Settings& settings) {
     if (settings.balls.empty()) return "";
-    const VolumeKind volume = settings.contact.volume;
-    std::string text = ", " + value(settings, "volume");
-    if (volume == VolumeKind::Brute) return text;
-    text += " " + value(settings, "update");
-    if (volume == VolumeKind::Sphere) text += " " + value(settings, "sphere_fit");
-    return text + " " + value(settings, "leaf_cells");
+    std::string text = ",";
+    for (const Knob knob : hierarchy_knobs) {
+        const bool is_used = why_without_effect(find_setting(name_of(knob)), settings, 0).empty();
+        if (is_used) text += " " + value(settings, name_of(knob));
+    }
+    return text;
 }
 
 /// One line of the trail.
-void print(const Needs& needs, const Attempt& attempt, const std::string& outcome) {
-    const bool has_error = needs.states_error() && (attempt.error > 0 || attempt.qualifies());
-    std::cout << fmt::format("{:>9}{:>10}  {:<55}  {}\n", has_error ? percent(attempt.error) : "",
+void print(const Attempt& attempt, const std::string& outcome) {
+    std::cout << fmt::format("{:>9}{:>10}  {:<55}  {}\n", std::isnan(attempt.error) ? "" : percent(attempt.error),
                              real_text(1e3 * attempt.cost, 3),
                              described(attempt.settings) + hierarchy(attempt.settings), outcome)
               << std::flush;
@@ -82,16 +82,16 @@ void print_head(const Needs& needs) {
 }
 
 /// Walks the notches of a scene as it is.
-int check_scene(const Needs& needs, const Trail& trail) {
+int check_scene(const Needs& needs) {
     const Attempt as_it_is = needs.attempt(needs.scene());
-    trail(as_it_is, as_it_is.qualifies() ? "the scene" : as_it_is.why);
+    print(as_it_is, as_it_is.qualifies() ? "the scene" : as_it_is.why);
     if (!as_it_is.qualifies()) {
         std::cout << "The scene does not show what it needs.\n";
         return Failed;
     }
     std::vector<Knob> spare;
     try_notches(needs, [&](Knob knob, const Attempt& less) {
-        trail(less, less.qualifies() ? "it qualifies: the scene has more than it needs" : less.why);
+        print(less, less.qualifies() ? "it qualifies: the scene has more than it needs" : less.why);
         if (less.qualifies()) spare.push_back(knob);
     });
     for (const Knob knob : spare) std::cout << "The scene has more than it needs of: " << name_of(knob) << "\n";
@@ -100,23 +100,18 @@ int check_scene(const Needs& needs, const Trail& trail) {
     return Done;
 }
 
-int find(const Needs& needs, const Trail& trail, const std::optional<std::filesystem::path>& write_to) {
-    const auto [cheapest, nearest] = search(needs, trail);
-    if (!cheapest) {
-        std::cout << "Nothing qualifies.";
-        if (nearest) {
-            std::cout << " The nearest miss is " << described(nearest->settings) << ": " << nearest->why
-                      << (nearest->error > 0 ? " (" + percent(nearest->error) + ")" : "");
-        }
-        std::cout << "\n";
+int find(const Needs& needs, const std::optional<std::filesystem::path>& write_to) {
+    const Attempt found = search(needs, print);
+    if (!found.qualifies()) {
+        std::cout << "Nothing qualifies. The nearest miss is " << described(found.settings) << ": " << found.why
+                  << (found.error > 0 ? " (" + percent(found.error) + ")" : "") << "\n";
         return Failed;
     }
     std::cout << fmt::format("The cheapest that qualifies is {}{}: {} ms of CPU time per simulated second{}.\n",
-                             described(cheapest->settings), hierarchy(cheapest->settings),
-                             real_text(1e3 * cheapest->cost, 3),
-                             needs.states_error() ? ", error " + percent(cheapest->error) : "");
+                             described(found.settings), hierarchy(found.settings), real_text(1e3 * found.cost, 3),
+                             needs.states_error() ? ", error " + percent(found.error) : "");
     if (write_to) {
-        write_scene(with_full_model(cheapest->settings, needs.full()), *write_to);
+        write_scene(found.settings, needs.full(), *write_to);
         std::cout << "Written to " << write_to->string() << ".\n";
     }
     return Done;
@@ -126,17 +121,11 @@ int run(const NeedsOptions& options) {
     const Settings scene = make_start(options.start).settings;
     // Refused before the search, which takes minutes
     std::optional<std::filesystem::path> write_to;
-    if (options.write) {
-        write_to = file_of_scene(options.start.scene);
-        check_written_start(scene, *write_to);
-    }
+    if (options.write) write_to = file_of_scene(options.start.scene, scene);
     try {
         const Needs needs(scene);
         print_head(needs);
-        const Trail trail = [&needs](const Attempt& attempt, const std::string& outcome) {
-            print(needs, attempt, outcome);
-        };
-        return options.check ? check_scene(needs, trail) : find(needs, trail, write_to);
+        return options.check ? check_scene(needs) : find(needs, write_to);
     } catch (const InputError& error) {
         throw InputError(options.start.scene + ": " + error.what());
     }

@@ -1,27 +1,26 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "configurations.h"
 #include "drape/scene/settings.h"
 #include "drape/scene/start_state.h"
+#include "lab/measure/statistics.h"
 
 namespace drape {
 
 /// What a scene showed on its way to the horizon of its needs.
 struct Motion {
-    static constexpr int moments = 16;  ///< at equal distances, the last at the horizon
+    static constexpr std::size_t moments = 16;  ///< at equal distances, the last at the horizon
 
     Grid grid;
-    ClothState start;               ///< the first cloth before the first step
-    std::array<Points, moments> x;  ///< the first cloth at each moment; as far as it came
-    int passed = 0;                 ///< moments
+    std::vector<Points> x;  ///< the first cloth at each moment, as far as it came
     bool diverged = false;
-    bool given_up = false;       ///< it was too expensive, or its step too long
+    bool given_up = false;       ///< it was too expensive
     double time = 0;             ///< to which it came, from its start [s]
     double step_over_limit = 0;  ///< length of a step over its limit, as predicted
     double penetration = 0;      ///< largest after any step, of its last substep [m]
@@ -30,11 +29,8 @@ struct Motion {
     double wall = 0;             ///< the same by a clock [s/s]
 };
 
-/// Beyond which a run is not worth its time.
-struct Patience {
-    double cost = std::numeric_limits<double>::infinity();  ///< CPU time of all threads per simulated second [s/s]
-    double step_over_limit = std::numeric_limits<double>::infinity();  ///< a longer step is not even begun with
-};
+/// The limit of what has none.
+inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// The larger of two; what is no number is larger than all, so that it is not missed.
 double larger(double a, double b);
@@ -43,9 +39,9 @@ double larger(double a, double b);
 /// interpolated by a cubic of both states (Hermite's), which no second-order method feels.
 /// Cost is that of the steps alone: stretch, which is measured after each, adds a root per structural spring to the
 /// run and nothing to its cost.
+/// @param cost_limit CPU time of all threads per simulated second [s/s]: beyond it the run is not worth its time
 /// @param start where it begins if not where the scene says
-Motion run_to_horizon(const Settings& scene, const Patience& patience = {},
-                      const std::optional<StartState>& start = {});
+Motion run_to_horizon(const Settings& scene, double cost_limit = no_bound, const std::optional<StartState>& start = {});
 
 /// How far a motion is from that of the full model, of the cloth's longer side: the largest over all moments. The
 /// particles of the one are compared with the points of the other's cloth at which they lie, by bilinear
@@ -56,17 +52,13 @@ double motion_error(const Motion& motion, const Motion& full, NeedsMeasure measu
 /// What a scene's needs say about a configuration that was tried.
 struct Attempt {
     Settings settings;
-    double error = 0;           ///< against the full model, of the cloth's side; 0 if none is stated
+    double error = no_number;   ///< against the full model, of the cloth's side; if one is stated, and compared
     double cost = 0;            ///< CPU time of all threads per simulated second [s/s]
     double miss = 0;            ///< the worst of what was measured over what is allowed; above 1 it does not qualify
     bool beyond_limit = false;  ///< its step is too near to the method's limit, or above: it was not run
-    std::string why;            ///< it does not qualify; empty if it does
+    std::string why = {};       ///< it does not qualify; empty if it does
 
     [[nodiscard]] bool qualifies() const { return why.empty(); }
-
-    /// Keeps the worst of several measures.
-    /// @param measured over what is allowed; what is no number misses by all
-    void note(double measured, const std::string& reason);
 };
 
 /// Whether a scene says anything that it must show.
@@ -83,8 +75,7 @@ public:
     /// Runs a configuration and says whether it qualifies. Besides what the scene states, a method with a limited step
     /// must keep below nine tenths of it, as `on_unstable = "substep"` does; but for a scene that is to diverge.
     /// @param cost_limit it is given up where it costs more [s/s]
-    [[nodiscard]] Attempt attempt(const Settings& settings,
-                                  double cost_limit = std::numeric_limits<double>::infinity()) const;
+    [[nodiscard]] Attempt attempt(const Settings& settings, double cost_limit = no_bound) const;
 
     /// Finds out what the full model is worth: by how much it differs at twice its step or from a disturbed start.
     /// @return a line that says so; empty if no error is stated
@@ -98,8 +89,8 @@ public:
 
     /// How far a motion is from the full model's, or from another, as the scene measures it, of the cloth's side.
     /// @pre an error is stated, and both have passed all moments
-    [[nodiscard]] double error_of(const Motion& motion) const;
-    [[nodiscard]] double difference(const Motion& motion, const Motion& other) const;
+    [[nodiscard]] double error_of(const Motion& motion) const { return error_of(motion, *motion_); }
+    [[nodiscard]] double error_of(const Motion& motion, const Motion& other) const;
 
 private:
     Settings scene_, full_;
@@ -112,12 +103,6 @@ std::string percent(double part);
 /// Is told each attempt, with what became of it: "kept", "cheapest so far", or why it was rejected.
 using Trail = std::function<void(const Attempt&, const std::string& outcome)>;
 
-/// What a search has come to.
-struct SearchResult {
-    std::optional<Attempt> cheapest;
-    std::optional<Attempt> nearest;  ///< that does not qualify; what to tell where none does
-};
-
 /// Looks for the cheapest configuration that shows what the scene needs.
 ///
 /// First the model: with everything computed closely, particles, bend springs and drag are taken away notch by notch as
@@ -126,7 +111,8 @@ struct SearchResult {
 /// notch less on any that has an order breaks a need. Last, how contacts are looked for: by cost alone, unless the
 /// search has a limit, for then that changes the motion too. A scene that does not state an error has no full model: it
 /// is taken as it is, and only notches are taken away.
-SearchResult search(const Needs& needs, const Trail& trail);
+/// @return where none qualifies, the nearest miss
+Attempt search(const Needs& needs, const Trail& trail);
 
 /// Tries a scene with one notch less of each of its free knobs that has an order. It is minimal if none qualifies.
 void try_notches(const Needs& needs, const std::function<void(Knob, const Attempt&)>& note);

@@ -1,14 +1,11 @@
 #include "needs.h"
 
-#include <algorithm>
-
 #include "configurations.h"
+#include "drape/scene/setting_table.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
 namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Times of two runs differ by more than this without a cause [ratio].
 constexpr double noise = 1.15;
@@ -16,18 +13,14 @@ constexpr double noise = 1.15;
 /// Cheaper by less than this is no reason to change how a scene is searched [ratio].
 constexpr double worth_it = 0.97;
 
-bool is_limited(const ContactSettings& contact) {
-    return !SearchLimit{contact.search_level, contact.search_tests}.none();
-}
-
 class NeedsSearch {
 public:
     NeedsSearch(const Needs& needs, const Trail& trail)
         : needs_(needs), trail_(trail), free_(free_knobs(needs.scene())) {}
 
-    SearchResult find() {
+    Attempt find() {
         if (needs_.states_error()) {
-            find_method(models());
+            find_method();
         } else {
             take(needs_.full());
         }
@@ -35,30 +28,27 @@ public:
             take_notches();
             choose_hierarchy();
         }
-        return {cheapest_, nearest_};
+        return cheapest_ ? *cheapest_ : *nearest_;
     }
 
 private:
-    /// The full model and what is left of it, the least last.
+    /// The full model and what is left of it, the least first.
     std::vector<Settings> models() {
         std::vector<Settings> found{needs_.full()};
         for (const Knob knob : {Knob::Particles, Knob::Bend, Knob::Drag}) {
-            while (free_.contains(knob)) {
-                const auto less = one_notch_less(found.back(), knob);
-                if (!less) break;
+            while (const auto less = one_notch_less(found.front(), knob)) {
                 const Attempt attempt = needs_.attempt(computed_closely(*less, close_step));
                 note(attempt, "kept: enough of a model");
                 if (!attempt.qualifies()) break;
-                found.push_back(*less);
+                found.insert(found.begin(), *less);
             }
         }
         return found;
     }
 
     /// The cheapest of all methods on all models.
-    void find_method(std::vector<Settings> models) {
-        std::reverse(models.begin(), models.end());
-        for (const Settings& model : models) {
+    void find_method() {
+        for (const Settings& model : models()) {
             for (const IntegratorKind kind : integrators()) {
                 Settings method = model;
                 method.solver.integrator = kind;
@@ -95,10 +85,9 @@ private:
     void take_notches() {
         for (bool taken = true; taken;) {
             taken = false;
-            for (const Knob knob : ordered_knobs()) {
-                while (free_.contains(knob)) {
-                    const auto less = one_notch_less(cheapest_->settings, knob);
-                    if (!less || !take(*less)) break;
+            for (const Knob knob : ordered_knobs) {
+                while (const auto less = one_notch_less(cheapest_->settings, knob)) {
+                    if (!take(*less)) break;
                     taken = true;
                 }
             }
@@ -115,27 +104,20 @@ private:
     /// Volume, update, fit and leaf size, the cheapest by repeated timing. The motion is the same, unless the search
     /// ends at a limit: what lies below it depends on all of them.
     void choose_hierarchy() {
-        const auto choose = [this](Knob knob, auto ContactSettings::*member, const auto& values) {
-            if (!free_.contains(knob)) return;
-            for (const auto value : values) {
+        for (const Knob knob : hierarchy_knobs) {
+            const Setting& setting = find_setting(name_of(knob));
+            if (!free_.contains(knob) || !why_without_effect(setting, cheapest_->settings, 0).empty()) continue;
+            const std::vector<std::string> leaf_sizes{"0", "2", "4", "8", "16"};
+            for (const std::string& value : knob == Knob::LeafCells ? leaf_sizes : setting.choices) {
                 Attempt attempt = *cheapest_;
-                ContactSettings& contact = attempt.settings.contact;
-                if (contact.*member == value) continue;
-                contact.*member = value;
-                if (is_limited(contact)) attempt = needs_.attempt(Settings(attempt.settings));
+                assign(attempt.settings, name_of(knob) + "=" + value);
+                if (attempt.settings.contact == cheapest_->settings.contact) continue;
+                if (!broad_phase_of(attempt.settings).search.none()) attempt = needs_.attempt(attempt.settings);
                 const bool cheaper = attempt.qualifies() && is_cheaper(attempt, worth_it);
-                trail_(attempt, !attempt.qualifies() ? attempt.why : cheaper ? "cheapest so far" : "not cheaper");
+                note(attempt, cheaper ? "cheapest so far" : "not cheaper");
                 if (cheaper) cheapest_ = attempt;
             }
-        };
-        const VolumeKind& volume = cheapest_->settings.contact.volume;
-        choose(Knob::Volume, &ContactSettings::volume, values_of<VolumeKind>());
-        if (volume == VolumeKind::Brute) return;
-        choose(Knob::Update, &ContactSettings::update, values_of<UpdateKind>());
-        if (volume == VolumeKind::Sphere) {
-            choose(Knob::SphereFit, &ContactSettings::sphere_fit, values_of<SphereFit>());
         }
-        choose(Knob::LeafCells, &ContactSettings::leaf_cells, std::vector{0, 2, 4, 8, 16});
     }
 
     /// Times a configuration and the cheapest so far in turn, for a machine has faster and slower moments, and keeps
@@ -166,10 +148,11 @@ private:
     }
 
     [[nodiscard]] std::vector<double> steps() const {
-        return free_.contains(Knob::Dt) ? step_ladder() : std::vector{needs_.scene().solver.dt};
+        if (!free_.contains(Knob::Dt)) return {needs_.scene().solver.dt};
+        return {step_ladder.begin(), step_ladder.end()};
     }
 
-    [[nodiscard]] double cost_of_cheapest() const { return cheapest_ ? cheapest_->cost : infinite; }
+    [[nodiscard]] double cost_of_cheapest() const { return cheapest_ ? cheapest_->cost : no_bound; }
 
     void note(const Attempt& attempt, const std::string& if_it_qualifies) {
         trail_(attempt, attempt.qualifies() ? if_it_qualifies : attempt.why);
@@ -184,13 +167,11 @@ private:
 
 }  // namespace
 
-SearchResult search(const Needs& needs, const Trail& trail) { return NeedsSearch(needs, trail).find(); }
+Attempt search(const Needs& needs, const Trail& trail) { return NeedsSearch(needs, trail).find(); }
 
 void try_notches(const Needs& needs, const std::function<void(Knob, const Attempt&)>& note) {
-    const std::set<Knob> free = free_knobs(needs.scene());
-    for (const Knob knob : ordered_knobs()) {
-        const auto less = free.contains(knob) ? one_notch_less(needs.scene(), knob) : std::nullopt;
-        if (less) note(knob, needs.attempt(*less));
+    for (const Knob knob : ordered_knobs) {
+        if (const auto less = one_notch_less(needs.scene(), knob)) note(knob, needs.attempt(*less));
     }
 }
 

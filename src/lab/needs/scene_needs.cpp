@@ -6,24 +6,18 @@
 #include "configurations.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/sim/simulation.h"
 #include "lab/measure/states.h"
 
 namespace drape {
 namespace {
 
-constexpr double no_bound = std::numeric_limits<double>::infinity();
 constexpr double safe_part_of_limit = 0.9;
 
 /// Of the error that a scene allows, what may be the full model's own.
 constexpr double largest_own_part = 0.25;
 
 }  // namespace
-
-void Attempt::note(double measured, const std::string& reason) {
-    const double miss_by = std::isnan(measured) ? no_bound : measured;
-    if (miss_by > 1 && (miss_by > miss || why.empty())) why = reason;
-    miss = std::max(miss, miss_by);
-}
 
 std::string percent(double part) { return real_text(100 * part, 3) + " %"; }
 
@@ -43,33 +37,37 @@ Needs::Needs(Settings scene) : scene_(std::move(scene)), full_(full_model(scene_
     if (motion_->diverged) throw RunError("the full model diverges after " + real_text(motion_->time, 3) + " s");
 }
 
-double Needs::error_of(const Motion& motion) const { return difference(motion, *motion_); }
-
-double Needs::difference(const Motion& motion, const Motion& other) const {
+double Needs::error_of(const Motion& motion, const Motion& other) const {
     const ClothParameters& cloth = scene_.cloths[0];
     return motion_error(motion, other, scene_.needs.measure, std::max(cloth.width, cloth.height));
 }
 
 Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     const NeedsSettings& needs = scene_.needs;
-    const Motion motion = run_to_horizon(
-        settings, {.cost = cost_limit, .step_over_limit = needs.diverges ? no_bound : safe_part_of_limit});
-    Attempt attempt;
-    attempt.settings = settings;
-    attempt.cost = motion.cost;
-    const std::string when = real_text(motion.time, 3) + " s";
-    const auto failed = [&attempt](const std::string& why) {
-        attempt.note(no_bound, why);
+    Attempt attempt{.settings = settings};
+    // What is no number misses by all
+    const auto note = [&attempt](double measured, const std::string& why) {
+        const double miss = std::isnan(measured) ? no_bound : measured;
+        if (miss > 1 && (miss > attempt.miss || attempt.why.empty())) attempt.why = why;
+        attempt.miss = std::max(attempt.miss, miss);
+    };
+    const auto failed = [&](const std::string& why) {
+        note(no_bound, why);
         return attempt;
     };
+    const auto at_most = [&note](double measured, Real allowed, const std::string& why) {
+        if (allowed > 0) note(measured / static_cast<double>(allowed), why);
+    };
+
+    const double part_of_limit = Simulation("", settings).report().step_limit_ratio;
+    attempt.beyond_limit = !needs.diverges && part_of_limit > safe_part_of_limit;
+    if (attempt.beyond_limit) return failed("step is " + real_text(part_of_limit, 2) + " of its limit");
+    const Motion motion = run_to_horizon(settings, cost_limit);
+    attempt.cost = motion.cost;
+    const std::string when = real_text(motion.time, 3) + " s";
     if (needs.diverges) return motion.diverged ? attempt : failed("has not diverged after " + when);
     if (motion.diverged) return failed("diverged after " + when);
-    attempt.beyond_limit = motion.step_over_limit > safe_part_of_limit;
-    if (attempt.beyond_limit) return failed("step is " + real_text(motion.step_over_limit, 2) + " of its limit");
     if (motion.given_up) return failed("more expensive than the cheapest so far");
-    const auto at_most = [&attempt](double measured, Real allowed, const std::string& why) {
-        if (allowed > 0) attempt.note(measured / static_cast<double>(allowed), why);
-    };
     if (states_error()) {
         attempt.error = error_of(motion);
         at_most(attempt.error, needs.position_error,
@@ -80,7 +78,7 @@ Attempt Needs::attempt(const Settings& settings, double cost_limit) const {
     at_most(motion.stretch, needs.stretch, stretched);
     if (needs.min_stretch > 0) {
         const double least = static_cast<double>(needs.min_stretch);
-        attempt.note(motion.stretch > 0 ? least / motion.stretch : no_bound, stretched + " only");
+        note(motion.stretch > 0 ? least / motion.stretch : no_bound, stretched + " only");
     }
     return attempt;
 }
@@ -89,8 +87,10 @@ std::string Needs::check_full_model() const {
     if (!states_error()) return {};
     const NeedsSettings& needs = scene_.needs;
     const Motion coarser = run_to_horizon(computed_closely(full_, 2 * close_step));
-    const StartState start{0, {disturbed(make_cloth_model(full_.cloths[0]), motion_->start)}};
-    const Motion beside = run_to_horizon(computed_closely(full_, close_step), {}, start);
+    const Simulation begun("", full_);
+    const Cloth& cloth = begun.cloths()[0];
+    const StartState start{0, {disturbed(cloth.model, cloth.state)}};
+    const Motion beside = run_to_horizon(computed_closely(full_, close_step), no_bound, start);
     if (coarser.diverged || beside.diverged) throw RunError("the full model diverges at a step only twice as long");
     const double growth = motion_error(beside, *motion_, NeedsMeasure::Positions, 1) / static_cast<double>(small_error);
     const std::string grows = "a small error grows " + real_text(growth, 2) + " times";

@@ -2,7 +2,7 @@
 # caption: anything breaks its need.
 # The ladder of a scene: from the full model down, each notch that was taken away with its cost and error; below, in
 # red, one notch less of each knob, which the need does not allow.
-# scene; allowed: the error that the scene may have
+# scene
 word_of(integrator, step) = integrator eq 'dormand_prince' ? 'Dormand-Prince' : \
   sprintf('%s, %.2g ms', name_of(integrator), 1e3 * step)
 model(x, y, bend, drag, integrator, step) = sprintf('%d x %d%s%s, %s', x, y, bend eq 'yes' ? ', bend' : '', \
@@ -15,7 +15,7 @@ rung(part, end) = is('part', part) && is('scene', scene) && is('outcome', end)
 refused = "(rung('notches', 'rejected') && !is('changed', 'none'))"
 dearest = 0; cheapest = 1e9; full = NaN; last_cost = NaN; kept = 0; less = 0
 stats table using (rung('ladder', 'kept') ? (kept = kept + 1, dearest = most(dearest, @cost), cheapest = least(cheapest, @cost), \
-  full = kept == 1 ? @cost : full, last_cost = @cost, 0) : @refused ? (less = less + 1, 0) : 0) nooutput
+  allowed = column('allowed_error'), full = kept == 1 ? @cost : full, last_cost = @cost, 0) : @refused ? (less = less + 1, 0) : 0) nooutput
 eval paper(130 + 32 * (kept + less))
 eval headline(sprintf('%s shows what its full model shows within %g %%, at a %.2g times lower cost', capital(readable(scene)), \
   100 * allowed, full / last_cost), 'From top to bottom, what was taken away; in red, one notch less of each: too far, or unstable')

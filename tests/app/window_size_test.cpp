@@ -1,0 +1,61 @@
+#include "../../src/app/window_size.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+#include "support/scratch_folder.h"
+
+namespace drape {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string kept(const PictureSize& screen = {1280, 1024}) {
+    const auto size = kept_window_size(screen);
+    return size ? size_text(*size) : "none";
+}
+
+struct WindowSize : testing::Test {
+    WindowSize() { setenv("XDG_STATE_HOME", folder_.path().c_str(), 1); }
+    ~WindowSize() override { unsetenv("XDG_STATE_HOME"); }
+
+    const ScratchFolder folder_;
+};
+
+TEST_F(WindowSize, IsThatOfTheLastTimeAsFarAsThereIsRoom) {
+    EXPECT_EQ(kept(), "none");
+    keep_window_size({900, 500});
+    EXPECT_EQ(kept(), "900x500");
+    EXPECT_EQ(kept({800, 400}), "800x400");
+    keep_window_size({1, 1});
+    EXPECT_EQ(kept(), "320x180") << "one that could not be found again";
+    EXPECT_EQ(test::names_in(folder_.path() / "drape"), std::vector<std::string>{"window"});
+    setenv("XDG_STATE_HOME", "here", 1);
+    EXPECT_EQ(window_size_file(), fs::path(std::getenv("HOME")) / ".local/state/drape/window") << "not a relative one";
+}
+
+TEST_F(WindowSize, IsTheUsualOneWhereTheFileIsSomethingElse) {
+    fs::create_directory(folder_.path() / "drape");
+    const fs::path file = window_size_file();
+    for (const std::string& text : {std::string(), std::string("900"), std::string("-900x500"), std::string("9e2x500"),
+                                    std::string("900x500\n1x1"), std::string("900x99999999"), std::string(99, '1')}) {
+        std::ofstream(file) << text;
+        EXPECT_EQ(kept(), "none") << text;
+    }
+    fs::remove(file);
+    fs::create_directory(file);
+    EXPECT_EQ(kept(), "none");
+    keep_window_size({900, 500});
+    fs::remove(file);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(kept(), "none") << "and does not wait for a writer";
+}
+
+}  // namespace
+}  // namespace drape
