@@ -13,10 +13,11 @@ namespace drape::test {
 namespace fs = std::filesystem;
 
 Desktop::Desktop(fs::path folder) : folder_(std::move(folder)) {
-    // The server finds a free display by itself and tells its number, so that test runs do not collide.
+    // The server finds a free display by itself and tells its number, so that test runs do not collide. It repeats no
+    // key: on a slow machine a key is down for long.
     fs::create_directories(folder_ / "server");
     server_ = std::make_unique<Process>(std::vector<std::string>{"Xvfb", "-displayfd", "1", "-screen", "0",
-                                                                 "1280x1024x24", "-nolisten", "tcp", "-noreset"},
+                                                                 "1280x1024x24", "-nolisten", "tcp", "-noreset", "-r"},
                                         std::map<std::string, std::string>{}, folder_ / "server");
     eventually([&] { return server_->standard_output().ends_with('\n'); });
     const std::string number = server_->standard_output();
@@ -87,6 +88,7 @@ void Desktop::drag(const std::vector<std::string>& keys, int button, Place from,
 
 void Desktop::hold(const std::string& name, const std::string& window, int repeats) {
     Display* display = XOpenDisplay(display_.c_str());
+    XAutoRepeatOn(display);
     XkbSetAutoRepeatRate(display, XkbUseCoreKbd, 100, 20);  // ms
     XSelectInput(display, std::stoul(window), KeyPressMask);
     XSync(display, False);
@@ -99,6 +101,7 @@ void Desktop::hold(const std::string& name, const std::string& window, int repea
     });
     EXPECT_TRUE(seen) << "the server does not repeat keys";
     act({"keyup", name});
+    XAutoRepeatOff(display);
     XCloseDisplay(display);
 }
 
