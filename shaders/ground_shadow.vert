@@ -17,10 +17,11 @@ void main() {
     world = mix(near, far, (stage.y - near.y) / (far.y - near.y));
     cover = cover_of(world, vec3(0.0, 1.0, 0.0), reach);
 
-    // It ends as if nothing cast beyond; what balls darken reaches far, and fades before
-    float inside = min(1.0 - abs(corner.x), 1.0 - abs(corner.y));
+    // It ends as if nothing cast beyond; what balls darken reaches far, and fades just before
+    vec2 to_rim = (1.0 - abs(corner)) / (2.0 * shadow.zw);  // m; the map is 2 wide in its own units
+    float inside = min(to_rim.x, to_rim.y);
     if (inside < 1e-4) cover = vec3(0.0);
-    open = mix(1.0, ball_ambient(world, vec3(0.0, 1.0, 0.0)), smoothstep(0.0, 0.5, inside));
+    open = mix(1.0, ball_ambient(world, vec3(0.0, 1.0, 0.0)), smoothstep(0.0, 0.1, inside));
     gl_Position = view_projection * vec4(world, 1.0);
     if (eye.y <= stage.y) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -12,6 +12,6 @@ void main() {
 
     // No larger than the spacing leaves room for
     float room = 0.55 * shadow.y * viewport.y / distance(eye.xyz, position) * 1.45;
-    size = clamp(room, 2.0 * magnified.x, viewport.y / 720.0 * 7.0) * (pinned > 0.5 ? 1.7 : 1.0) + magnified.x;
+    size = max(min(room, viewport.y / 720.0 * 7.0), 2.0 * magnified.x) * (pinned > 0.5 ? 1.7 : 1.0) + magnified.x;
     gl_PointSize = size;
 }

@@ -12,7 +12,7 @@ namespace {
 
 std::string key_help() {
     std::string text = "Keys and mouse:\n";
-    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()), true)) {
         std::string left = line.is_heading() ? "  " + line.text + ":" : "    " + line.key;
         if (!line.is_heading()) left.resize(std::max<std::size_t>(left.size() + 1, 30), ' ');
         text += left + (line.is_heading() ? "" : line.text) + "\n";
@@ -30,7 +30,8 @@ std::optional<Options> read_options(int argc, char** argv) {
     line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
                 {"name=value,..."});
     line.option("--record", options.record, "write every command to a file", {"FILE"});
-    line.option("--size", size, "of the window; as it was last if not given, at first 1280x720", {"WxH"});
+    line.option("--size", size,
+                "of the window; as it was last if not given; 1280x720 at first, larger on a dense display", {"WxH"});
     line.option("--scale", scale, "text size factor; 1 if not given", {"FACTOR"});
     line.flag("--tour", options.tour, "begin with the tour, and what to see at each stop");
     line.flag("--check", options.check, "end with exit code 1 at an OpenGL error or a position that is not finite");

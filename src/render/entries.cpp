@@ -171,12 +171,12 @@ std::vector<KeyHelp> first_hints(bool has_ball) {
     std::vector<KeyHelp> hints{
         {"Drag", "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
-        {"Arrow keys", "Move the ball; E and Shift+Q up and down"},
-        {"Space", "Pause / Resume"},
-        {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"},
-        {"H, F1", "All keys; a tour"},
     };
-    if (!has_ball) hints.erase(hints.begin() + 2);
+    if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Shift+Q up and down"});
+    hints.push_back({"Space", "Pause / Resume"});
+    hints.push_back(
+        {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"});
+    hints.push_back({"H, F1", "All keys; a tour"});
     return hints;
 }
 

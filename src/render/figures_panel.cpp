@@ -121,10 +121,24 @@ Row candidates_row(const FrameView& view) {
     return {"candidates", text, -1, 2};
 }
 
-// Whether the hierarchy leaves more than half of the cells that brute force tests: then no update, however cheap, saves
-// much
-bool is_near_most(const FrameView& view) {
-    return 2 * static_cast<double>(view.report->traversal.candidates) > tests_of_brute_force(view);
+// Whether a ball can have most of a cloth near it: its diameter is more than half of the cloth's shorter side
+bool has_large_ball(const FrameView& view) {
+    const auto is_large = [](const Ball& ball, const ClothModel& model) {
+        const Real width = model.hx * static_cast<Real>(model.grid.cell_columns());
+        const Real height = model.hy * static_cast<Real>(model.grid.cell_rows());
+        return 4 * ball.radius > std::min(width, height);
+    };
+    return std::ranges::any_of(view.cloths, [&](const ClothView& cloth) {
+        return std::ranges::any_of(view.balls, [&](const Ball& ball) { return is_large(ball, cloth.model); });
+    });
+}
+
+// Why the hierarchy saves nothing. Where it leaves more than half of the cells that brute force tests, no update,
+// however cheap, saves much
+std::string slow_reason(const FrameView& view) {
+    const auto left = static_cast<double>(view.report->traversal.candidates);
+    if (2 * left <= tests_of_brute_force(view)) return "slow update";
+    return has_large_ball(view) ? "large ball" : "loose tree";
 }
 
 // What the hierarchy saves of the time, where that was measured; else why it does not, and what to press: another
@@ -136,7 +150,8 @@ void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
                     brute > time ? ink::good : ink::wait});
     if (brute > time) return;
-    rows.push_back({"why slower", is_near_most(view) ? "large ball: see 9" : "slow update: U, T", -1, 2, ink::wait});
+    const std::string reason = slow_reason(view);
+    rows.push_back({"why slower", reason + (reason == "large ball" ? ": see 9" : ": U, T"), -1, 2, ink::wait});
 }
 
 // What it saves of the tests that brute force makes. Where a cloth is small and most of it near a ball, that is none.
@@ -146,7 +161,8 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
     if (all == 0 || made == 0) return;
     const double saved = 1 - made / all;
-    const std::string none = is_near_most(view) ? "none: large ball" : "none";
+    const std::string reason = slow_reason(view);
+    const std::string none = reason == "slow update" ? "none" : "none: " + reason;
     const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : none;
     rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
 }

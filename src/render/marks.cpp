@@ -1,6 +1,7 @@
 #include "marks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "cloth_mesh.h"
@@ -52,6 +53,13 @@ Marks::Marks(Gl& gl, StreamBuffer& stream)
       edges_(gl, stream, Region::Edges, {sizeof(EdgeMark), {{0, 3}, {1, 1}}}),
       no_vertices_(gl),
       spring_indices_(gl) {}
+
+// Half of a line's width, or of a pin's: the ring grows as in pin.vert, where it has a radius of 11; the rest is for
+// pins that are near
+int Marks::room(const FrameData& data) const {
+    const float scale = std::max(data.viewport.y() / 720, 0.6f * data.magnified.x());
+    return static_cast<int>(std::ceil(show_pins_ ? 24 * scale : data.magnified.x() / 2));
+}
 
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;

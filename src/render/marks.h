@@ -13,6 +13,8 @@
 
 namespace drape {
 
+struct FrameData;
+
 /// What explains the picture: pins and what the hand holds; as far as the settings ask for them, particles and springs,
 /// contacts, bounds; a ring about the particle that has diverged first, a thick line along the worst of its
 /// springs, and one along the unstable mode's.
@@ -31,8 +33,8 @@ public:
     /// @param failed whether the run has diverged at a particle, which is marked over all that is before it
     void draw(bool failed);
 
-    /// How far marks stand out of the solids whose box is drawn [pixel].
-    [[nodiscard]] int room() const { return show_pins_ ? 24 : 0; }
+    /// How far marks stand out of the box of what is drawn [pixel].
+    [[nodiscard]] int room(const FrameData& data) const;
 
     /// Structural, shear and bend.
     [[nodiscard]] const std::array<int, 3>& springs() const { return spring_counts_; }

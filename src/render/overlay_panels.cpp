@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -43,17 +44,21 @@ void add_fonts(std::array<PanelFont, font_sizes.size()>& fonts) {
     atlas.Build();
 }
 
-// The largest font that is not larger than a window of that size should have; one more is left for titles
-std::size_t font_for(int width, int height, double text_scale, double display_scale) {
-    const double side = std::min(height, 2 * width / 3) / display_scale;
-    const double wanted = text_scale * display_scale *
-                          (side < 600    ? 11
-                           : side < 1000 ? 14
-                           : side < 1300 ? 17
-                           : side < 1800 ? 22
-                                         : 28);
+// The largest font that is not larger than a window should have on a usual display; one more is left for titles
+std::size_t usual_font(double side, double text_scale) {
+    const double wanted = text_scale * (side < 600 ? 11 : side < 1000 ? 14 : side < 1300 ? 17 : side < 1800 ? 22 : 28);
     std::size_t size = 0;
     while (size + 2 < font_sizes.size() && static_cast<double>(font_sizes[size + 1]) <= wanted) ++size;
+    return size;
+}
+
+// On a display with more pixels the one nearest to what is in proportion, but none smaller than on a usual display
+std::size_t font_for(int width, int height, double text_scale, double display_scale) {
+    const double side = std::min(height, 2 * width / 3);
+    const double wanted = display_scale * static_cast<double>(font_sizes[usual_font(side / display_scale, text_scale)]);
+    const auto distance = [&](std::size_t font) { return std::abs(static_cast<double>(font_sizes[font]) - wanted); };
+    std::size_t size = usual_font(side, text_scale);
+    while (size + 2 < font_sizes.size() && distance(size + 1) < distance(size)) ++size;
     return size;
 }
 

@@ -146,7 +146,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     solids.add_to(bounds, stream);
     marks.add_to(bounds);
     const bool anywhere = shown.contacts || shown.particles || failed;
-    const int room = std::max(solids.room(), marks.room());
+    const int room = std::max(solids.room(), marks.room(data));
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
     gl(glLineWidth, std::max(data.magnified.x(), 1.0f));
     gl(glDisable, GL_BLEND);

@@ -96,19 +96,24 @@ TEST(Entries, MakeMenusThatFitOnASmallScreen) {
 TEST(Entries, OfTheBallHelpOnlyInScenesThatHaveOne) {
     const std::vector<Entry> entries = make_entries(scene_names());
     std::set<std::string> of_a_ball;
-    for (const KeyHelp& line : help_lines(entries)) of_a_ball.insert(line.text);
+    for (const KeyHelp& line : help_lines(entries, true)) of_a_ball.insert(line.text);
     for (const KeyHelp& line : help_lines(entries, false)) of_a_ball.erase(line.text);
-    for (const KeyHelp& line : help_lines(entries)) {
+    for (const KeyHelp& line : help_lines(entries, true)) {
         const bool says_ball =
             line.text.find("ball") != std::string::npos || line.text.find("Ball") != std::string::npos;
         EXPECT_EQ(of_a_ball.contains(line.text), says_ball) << line.text;
     }
 }
 
+TEST(Entries, AreHintedAtWithoutTheBallWhereThereIsNone) {
+    EXPECT_EQ(first_hints(false).size() + 1, first_hints(true).size());
+    for (const KeyHelp& line : first_hints(false)) EXPECT_EQ(line.text.find(" ball"), std::string::npos) << line.text;
+}
+
 TEST(Entries, AreTheTableOfTheReadme) {
     const std::string readme = test::read_file(std::string(DRAPE_SOURCE_DIR) + "/README.md");
     std::string table;
-    for (const KeyHelp& line : help_lines(make_entries(scene_names()))) {
+    for (const KeyHelp& line : help_lines(make_entries(scene_names()), true)) {
         table += "| " + (line.is_heading() ? "**" + line.text + "** | |\n" : line.key + " | " + line.text + " |\n");
     }
     EXPECT_NE(readme.find(table), std::string::npos) << table;

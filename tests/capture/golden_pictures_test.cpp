@@ -97,7 +97,7 @@ protected:
     Golden() {
         std::ifstream table(std::string(DRAPE_SOURCE_DIR) + "/tests/capture/golden_pictures.txt");
         for (std::string name, blocks; !new_table_ && table >> name >> blocks;) golden_[name] = blocks;
-        renderer_.panels().help = help_lines(make_entries(scene_names()));
+        renderer_.panels().help = help_lines(make_entries(scene_names()), true);
     }
 
     /// Draws at each size, and compares; or where it is asked for, writes the table.

@@ -159,6 +159,18 @@ TEST_F(PanelBoxes, AreTwiceAsLargeOnADisplayOfTwiceAsManyPixels) {
     }
 }
 
+TEST_F(PanelBoxes, AreNotSmallerOnADisplayOfMorePixels) {
+    for (const PictureShape& size : {PictureShape{1280, 720}, PictureShape{1920, 1080}}) {
+        float before = 0;
+        for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
+            panels_.display_scale = scale;
+            const float width = boxes(size, {}).front().right;
+            EXPECT_GE(width, before) << size.width << ", display scale " << scale;
+            before = width;
+        }
+    }
+}
+
 /// Rows, seen from the panel's height.
 TEST_F(PanelBoxes, HaveRowsForTheBalanceThatIsAskedFor) {
     settings_.view.bounds = settings_.solver.ledger = false;

@@ -35,7 +35,7 @@ void for_each_particle(const Patch& patch, Visit visit) {
 }
 
 /// Makes up for the rounding of a distance and of its use.
-constexpr Real rounded_up = 1 + 8 * std::numeric_limits<Real>::epsilon();
+inline constexpr Real rounded_up = 1 + 8 * std::numeric_limits<Real>::epsilon();
 
 struct BoundingSphere;
 

@@ -80,6 +80,6 @@ std::vector<KeyHelp> tour_hint(std::size_t stop);
 /// The lines of the help by groups, each after its heading: the mouse's, then one for each entry with a key; the scenes
 /// share one.
 /// @param has_ball whether the scene has one: in others its entries mean nothing
-std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball = true);
+std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball);
 
 }  // namespace drape

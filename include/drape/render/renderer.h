@@ -73,7 +73,7 @@ public:
     int hover_x = -1,
         hover_y = -1;          ///< of the pointer over the picture, where the node is named; -1: not known [pixel]
     PanelWishes wishes;        ///< since they were last taken
-    double display_scale = 1;  ///< pixels for one of a usual display: text, and lines of the scene too, grow with it
+    double display_scale = 1;  ///< pixels for one of a usual display: text grows with it in steps, and lines do too
 
     /// The settings to which the settings panel's buttons lead back.
     virtual void set_scene(const Settings& settings) = 0;

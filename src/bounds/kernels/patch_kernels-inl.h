@@ -63,7 +63,7 @@ HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner
     // Of a short row that another one follows, eight can be read all the same: what is too much is left out of the
     // sums. To copy the few would be slower, for a vector that is loaded where single values were just stored waits for
     // them
-    const bool follows = patch.stride + patch.columns >= eight;
+    const bool follows = patch.rows > 1 && patch.stride + patch.columns >= eight;
     for (int counted = 0; counted < patch.columns; counted += eight) {
         // The last eight start early enough to end with the row; what was counted before is left out
         const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight));
