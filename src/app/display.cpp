@@ -10,7 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
+#include <string>
 
 namespace drape {
 
@@ -37,7 +37,7 @@ double display_scale() {
     constexpr double usual = 96, most = 4;
     const std::shared_ptr<void> display = open_display();
     const char* const text = display ? XGetDefault(static_cast<Display*>(display.get()), "Xft", "dpi") : nullptr;
-    const double scale = text == nullptr ? 1 : parse_real(text).value_or(usual) / usual;
+    const double scale = text == nullptr ? 1 : parse_real(trimmed(text)).value_or(usual) / usual;
     return scale >= 1 ? std::min(scale, most) : 1;
 }
 
@@ -45,13 +45,16 @@ void wait_for_refresh() {
     Display* display = glXGetCurrentDisplay();
     if (display == nullptr) return;
     const char* const known = glXQueryExtensionsString(display, DefaultScreen(display));
-    const auto has = [&](const char* name) { return known != nullptr && std::strstr(known, name) != nullptr; };
-    const auto function = [](const char* name) { return glXGetProcAddress(reinterpret_cast<const GLubyte*>(name)); };
-    if (has("GLX_EXT_swap_control")) {
-        using Set = void (*)(Display*, GLXDrawable, int);
-        reinterpret_cast<Set>(function("glXSwapIntervalEXT"))(display, glXGetCurrentDrawable(), 1);
-    } else if (has("GLX_MESA_swap_control")) {
-        reinterpret_cast<int (*)(unsigned)>(function("glXSwapIntervalMESA"))(1);
+    const std::string words = " " + std::string(known == nullptr ? "" : known) + " ";
+    // Null without the extension, too
+    const auto function = [&](const std::string& extension, const char* name) {
+        const bool has = words.find(" " + extension + " ") != std::string::npos;
+        return has ? glXGetProcAddress(reinterpret_cast<const GLubyte*>(name)) : nullptr;
+    };
+    if (const auto set = function("GLX_EXT_swap_control", "glXSwapIntervalEXT")) {
+        reinterpret_cast<void (*)(Display*, GLXDrawable, int)>(set)(display, glXGetCurrentDrawable(), 1);
+    } else if (const auto set_mesa = function("GLX_MESA_swap_control", "glXSwapIntervalMESA")) {
+        reinterpret_cast<int (*)(unsigned)>(set_mesa)(1);
     }
 }
 

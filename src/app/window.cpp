@@ -75,8 +75,8 @@ int Window::run() {
     schedule();
     glutMainLoop();
     if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
-    if (failure_) std::rethrow_exception(failure_);
     if (keeps_size_ && width_ > 0 && height_ > 0) keep_window_size({width_, height_});
+    if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
 

@@ -1,5 +1,7 @@
 #include "window_size.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -8,6 +10,18 @@
 #include "drape/base/output_file.h"
 
 namespace drape {
+
+namespace {
+
+constexpr int most_side = 8192;  // that `parse_size` allows
+
+PictureSize within(const PictureSize& size, const PictureSize& most) {
+    constexpr int least_width = 320, least_height = 180;
+    return {std::clamp(size.width, least_width, std::max(most.width, least_width)),
+            std::clamp(size.height, least_height, std::max(most.height, least_height))};
+}
+
+}  // namespace
 
 std::filesystem::path window_size_file() {
     const auto folder = [](const char* variable) {
@@ -21,15 +35,13 @@ std::filesystem::path window_size_file() {
 }
 
 std::optional<PictureSize> kept_window_size(const PictureSize& screen) {
-    constexpr int least_width = 320, least_height = 180, longest_text = 16;
+    constexpr int longest_text = 16;
     const std::filesystem::path file = window_size_file();
     if (file.empty()) return std::nullopt;
     try {
         std::string text = read_text(file, longest_text, InputKind::Regular);
         if (text.ends_with('\n')) text.pop_back();
-        const auto [width, height] = parse_size(text);
-        return PictureSize{std::clamp(width, least_width, std::max(screen.width, least_width)),
-                           std::clamp(height, least_height, std::max(screen.height, least_height))};
+        return within(parse_size(text), screen);
     } catch (const InputError&) {
         return std::nullopt;
     }
@@ -39,10 +51,12 @@ void keep_window_size(const PictureSize& size) {
     const std::filesystem::path file = window_size_file();
     if (file.empty()) return;
     std::error_code refused;
+    const mode_t mask = umask(0077);  // the specification wants new folders to be the user's alone
     std::filesystem::create_directories(file.parent_path(), refused);
+    umask(mask);
     try {
         OutputFile out(file);
-        out.stream() << size_text(size) << "\n";
+        out.stream() << size_text(within(size, {most_side, most_side})) << "\n";
         out.close();
     } catch (const RunError&) {
         return;

@@ -11,7 +11,7 @@ namespace drape {
 /// ($XDG_STATE_HOME, or ~/.local/state). Empty: the user has none.
 std::filesystem::path window_size_file();
 
-/// The size that the window had last, within what a screen has room for.
+/// The size that the window had last, within what a screen has room for, but at least 320x180.
 /// @return nothing if there is none, or if the file has anything else in it
 std::optional<PictureSize> kept_window_size(const PictureSize& screen);
 

@@ -89,8 +89,11 @@ public:
 
     int run() {
         int exit_code = Done;
-        const std::string warning = session_.simulation().step_warning();
-        if (!warning.empty()) tell("warning: " + warning);
+        // A loaded state may have been in danger before
+        const Simulation& simulation = session_.simulation();
+        for (const std::string& warning : {simulation.step_warning(), simulation.crossing_warning()}) {
+            if (!warning.empty()) tell("warning: " + warning);
+        }
         for (frame_ = 1; frame_ <= options_.frames && exit_code == Done; ++frame_) {
             const double time = session_.start_time() + frame_ / frame_rate_;
             const bool whole = session_.run_until(time, [this] { return signals_.arrived() != 0; });

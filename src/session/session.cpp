@@ -100,7 +100,10 @@ void Session::carry_out(const Command& command, bool is_new) {
     if (std::holds_alternative<command::Load>(command) && clock_steps_ == 0) {
         start_time_ = simulation_.report().time;
     }
-    if (is_new && begins_again(command)) dropped_ = 0;
+    if (is_new && begins_again(command)) {
+        dropped_ = 0;
+        std::erase_if(news_, [](const News& news) { return news.topic == News::Topic::Crossing; });
+    }
     if (is_new && recorder_) recorder_->write(steps_made_, command);
 }
 

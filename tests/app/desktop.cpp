@@ -139,6 +139,7 @@ void Desktop::choose_in_menu(int x, int y, int entry) {
 
 void Desktop::set_resources(const std::string& text) {
     Display* display = XOpenDisplay(display_.c_str());
+    ASSERT_NE(display, nullptr);
     XChangeProperty(display, DefaultRootWindow(display), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
                     reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
     XCloseDisplay(display);

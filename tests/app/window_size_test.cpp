@@ -5,7 +5,9 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/process.h"
@@ -23,8 +25,17 @@ std::string kept(const PictureSize& screen = {1280, 1024}) {
 
 struct WindowSize : testing::Test {
     WindowSize() { setenv("XDG_STATE_HOME", folder_.path().c_str(), 1); }
-    ~WindowSize() override { unsetenv("XDG_STATE_HOME"); }
+    ~WindowSize() override {
+        for (const auto& [name, value] : before_) value ? setenv(name, value->c_str(), 1) : unsetenv(name);
+    }
 
+    static std::pair<const char*, std::optional<std::string>> variable(const char* name) {
+        const char* const value = std::getenv(name);
+        return {name, value == nullptr ? std::nullopt : std::optional<std::string>(value)};
+    }
+
+    const std::pair<const char*, std::optional<std::string>> before_[2] = {variable("XDG_STATE_HOME"),
+                                                                           variable("HOME")};
     const ScratchFolder folder_;
 };
 
@@ -36,8 +47,12 @@ TEST_F(WindowSize, IsThatOfTheLastTimeAsFarAsThereIsRoom) {
     keep_window_size({1, 1});
     EXPECT_EQ(kept(), "320x180") << "one that could not be found again";
     EXPECT_EQ(test::names_in(folder_.path() / "drape"), std::vector<std::string>{"window"});
+    EXPECT_EQ(fs::status(folder_.path() / "drape").permissions(), fs::perms::owner_all);
+    keep_window_size({9000, 500});
+    EXPECT_EQ(kept({10000, 1024}), "8192x500") << "as wide as can be read again";
     setenv("XDG_STATE_HOME", "here", 1);
-    EXPECT_EQ(window_size_file(), fs::path(std::getenv("HOME")) / ".local/state/drape/window") << "not a relative one";
+    setenv("HOME", "/home/someone", 1);
+    EXPECT_EQ(window_size_file(), fs::path("/home/someone") / ".local/state/drape/window") << "not a relative one";
 }
 
 TEST_F(WindowSize, IsTheUsualOneWhereTheFileIsSomethingElse) {

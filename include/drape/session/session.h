@@ -56,7 +56,8 @@ public:
 
     /// What there is to tell the user of since the last call: that a command has ended what lay ahead, or a comparison;
     /// and that a danger began that cloth and a ball or a solid pass through each other (`StepReport::crossing`), in a
-    /// step that was made for the first time: one that the user goes back to and plays again is not told again.
+    /// step that was made for the first time: one that the user goes back to and plays again is not told again,
+    /// nor one of a run that has begun again since.
     [[nodiscard]] std::vector<News> take_news() { return std::exchange(news_, {}); }
 
     /// Carries out a command and records it.
