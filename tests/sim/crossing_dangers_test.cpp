@@ -26,6 +26,12 @@ TEST(CrossingDangers, CountOnceHoweverOftenTheyArePlayedAndAreNewWhereTheUserGoe
     EXPECT_EQ(session.take_news().size(), 1u) << "what came after is forgotten";
     make_steps(session, steps_to_danger);
     EXPECT_EQ(session.take_news().size(), 1u);
+
+    session.send(parse_command("reset"));
+    make_steps(session, steps_to_danger);
+    EXPECT_EQ(of_the_run(), 1);
+    session.send(parse_command("reset"));
+    EXPECT_EQ(session.take_news().size(), 0u) << "of a run that is no more";
 }
 
 }  // namespace
