@@ -19,7 +19,11 @@ public:
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3),
-          known_(grid.particles(), 3) {}
+          known_(grid.particles(), 3) {
+        // Steps allocate nothing
+        const Points zero = Points::Zero(grid.particles(), 3);
+        last_.from = last_.to = {zero, zero};
+    }
 
     [[nodiscard]] StepBefore step_before() const override { return last_; }
     void resume_after(const StepBefore& step) override { last_ = step; }
