@@ -20,9 +20,7 @@ public:
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3),
           known_(grid.particles(), 3) {
-        // Steps allocate nothing
-        const Points zero = Points::Zero(grid.particles(), 3);
-        last_.from = last_.to = {zero, zero};
+        last_.from.x = last_.from.v = last_.to.x = last_.to.v = Points::Zero(grid.particles(), 3);  // no step allocates
     }
 
     [[nodiscard]] StepBefore step_before() const override { return last_; }

@@ -116,7 +116,13 @@ public:
             const TableRow texts(cells.begin() + 1, cells.end());
             if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) reader_.fail("{}", flaw);
             const Row& row = table.cases[number].emplace_back(row_from(experiment_.columns, texts));
-            check_kept(texts, row.texts(experiment_.columns, experiment_.digits));
+            // No digit may vanish where the row is written again
+            const TableRow again = row.texts(experiment_.columns, experiment_.digits);
+            for (std::size_t k = 0; k < texts.size(); ++k) {
+                if (texts[k] == again[k]) continue;
+                reader_.fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
+                             shortened(texts[k]), again[k]);
+            }
         }
         if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
         // Its last rows may be missing. Cases are computed in ascending order
@@ -168,15 +174,6 @@ private:
         }
         reader_.fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
                      allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
-    }
-
-    /// No digit may vanish where the row is written again.
-    void check_kept(const TableRow& texts, const TableRow& again) const {
-        for (std::size_t k = 0; k < texts.size(); ++k) {
-            if (texts[k] == again[k]) continue;
-            reader_.fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
-                         shortened(texts[k]), again[k]);
-        }
     }
 
     /// At the line that begins as the last one does.

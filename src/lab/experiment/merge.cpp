@@ -48,10 +48,8 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
             throw InputError(fmt::format("{} is of another run than {} ({})", file, first, differs));
         }
         for (const auto& [number, rows] : share->cases) {
-            const std::string& other = file_of.emplace(number, file).first->second;
-            if (whole->cases.contains(number)) {
-                throw InputError(fmt::format("case {} is in {} and in {}", number, other, file));
-            }
+            const auto [other, is_new] = file_of.emplace(number, file);
+            if (!is_new) throw InputError(fmt::format("case {} is in {} and in {}", number, other->second, file));
         }
         whole->cases.merge(share->cases);
     }

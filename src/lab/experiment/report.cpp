@@ -96,10 +96,8 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
             std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
             return {};
         }
-        if (*code == nothing_to_draw) {
-            if (all) std::cerr << "There is nothing to draw for " << name << ".\n";
-            continue;
-        }
+        if (*code == nothing_to_draw && all) std::cerr << "There is nothing to draw for " << name << ".\n";
+        if (*code == nothing_to_draw) continue;
         if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
         figures += fmt::format(
             "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
@@ -158,8 +156,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    const CaseSelection selection = parse_selection(line_of(table.head, "settings")).value();
-    const bool all = selection.cases.empty() && selection.share.empty();
+    const bool all = line_of(table.head, "settings").find(" --") == std::string::npos;  // neither cases nor a share
     write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file, all), summary, file);
 }
 

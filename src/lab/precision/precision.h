@@ -28,10 +28,9 @@ struct PrecisionScene {
     int rungs;          ///< steps of a method with a step limit, each half of the one before
     int finest_steps;   ///< the most that a method without a step limit takes to the horizon
     int phases;         ///< with a ball: phases of the first impact within a step that errors are averaged over
-    /// Ever closer. The first: the growth of errors is found from it. The second: how far it is from the third is the
-    /// error of that. The third: taken for the truth. Without a ball: of Dormand-Prince. With one, where the step
-    /// decides when an impact is noticed: of velocity Verlet, so short that its own error is far below that of the
-    /// impacts.
+    /// Ever closer: the first for the growth of errors, the second for the error of the third, which is taken for the
+    /// truth. Without a ball: of Dormand-Prince. With one, where the step decides when an impact is noticed: of
+    /// velocity Verlet, so short that its own error is far below that of the impacts.
     std::array<Rung, 3> reference;
     Real side() const { return settings.cloths.front().width; }  ///< of the cloth [m]
     bool has_ball() const { return !settings.balls.empty(); }
