@@ -5,8 +5,11 @@ colour(stage) = stage eq 'step' ? blue : stage eq 'build' ? red : stage eq 'quer
 marker(stage) = stage eq 'step' ? 7 : stage eq 'build' ? 5 : stage eq 'query' ? 9 : 13
 dash(kernels) = kernels eq 'plain' ? 2 : 1
 here(stage, kernels) = is('stage', stage) && is('kernels', kernels) ? column('particles') : NaN
-# Plain time / vector time: the row of a stage by the plain core follows that by vector kernels
-ratio = "(is('kernels', 'vector') ? (vector_time = column('time_s'), NaN) : vector_time > 0 ? column('time_s') / vector_time : NaN)"
+# Plain time / vector time, where the row of a stage by the plain core follows that of the same by vector kernels
+its_case = "strcol('stage').' '.strcol('particles')"
+vector_time = NaN; vector_case = ''
+ratio = "(is('kernels', 'vector') ? (vector_time = column('time_s'), vector_case = @its_case, NaN) : \
+  vector_case eq @its_case && vector_time > 0 ? column('time_s') / vector_time : NaN)"
 stages = ''; fastest = 0; slowest = 1e9
 seen(ratio) = ratio == ratio ? (fastest = most(fastest, ratio), slowest = least(slowest, ratio), 0) : 0
 stats table using (stages = listed(stages, strcol('stage')), seen(@ratio)) nooutput

@@ -2,7 +2,8 @@
 # scene
 methods = 'symplectic_euler velocity_verlet backward_euler implicit_midpoint_clamped xpbd_1 projective_dynamics_5'
 array colours[6] = [orange, blue, red, sky, green, pink]
-here(k) = is('scene', scene) && is('method', word(methods, k)) && is('end', 'bounded')
+here(k) = is('scene', scene) && is('method', word(methods, k)) && is('end', 'bounded') && \
+  column('error') + column('cost_s_per_s') >= 0
 least_error = 1e9; most_error = 0; least_cost = 1e9; most_cost = 0
 noted(error, cost) = (least_error = least(least_error, error), most_error = most(most_error, error), \
   least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), particles = column('particles'), 0)

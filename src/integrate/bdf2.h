@@ -19,7 +19,9 @@ public:
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),
           dv_(grid.particles(), 3),
-          known_(grid.particles(), 3) {}
+          known_(grid.particles(), 3) {
+        last_.from.x = last_.from.v = last_.to.x = last_.to.v = Points::Zero(grid.particles(), 3);  // no step allocates
+    }
 
     [[nodiscard]] StepBefore step_before() const override { return last_; }
     void resume_after(const StepBefore& step) override { last_ = step; }

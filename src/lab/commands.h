@@ -8,7 +8,7 @@ namespace drape {
 
 class CommandLine;
 
-// Each adds a subcommand. Those that may fail without an error set `exit_code` when they have run.
+// Each adds a subcommand. Those that can fail without throwing set `exit_code` when they have run.
 
 /// `simulate`: runs a scene to given times and writes states, statistics and hash.
 void add_simulate(CommandLine& line, int& exit_code);

@@ -110,9 +110,9 @@ int simulate(SimulateOptions& options) {
          real_text(watch.seconds(), 3) + " s");
     if (!session.replay_notice().empty()) tell(session.replay_notice());
     if (options.start.hash) std::cout << hash_text(session.simulation().hash()) << "\n";
-    const bool is_whole = report.status == Status::Ok;
+    const bool is_ok = report.status == Status::Ok;
     for (const std::string& doubt :
-         {session.simulation().crossing_warning(), is_whole ? session.simulation().run_warning() : std::string()}) {
+         {session.simulation().crossing_warning(), is_ok ? session.simulation().run_warning() : std::string()}) {
         if (!doubt.empty()) tell("warning: " + doubt);
     }
     if (const int signal = signals.arrived()) return 128 + signal;

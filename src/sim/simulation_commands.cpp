@@ -44,7 +44,14 @@ void Simulation::carry_out(const Command& command) {
                    },
                    [&](const command::Reset&) { restart(); },
                    [&](const command::LoadScene& scene) {
-                       go_on_from({scene.name, load_scene(scene.name)});
+                       Settings settings = load_scene(scene.name);
+                       check(settings);
+                       static_cast<void>(make_solids(settings.solids));
+                       std::optional<StartState> start = find_start(settings);
+                       // There may not be memory for the cloths of both
+                       cloths_.clear();
+                       contact_ = ContactStage();
+                       go_on_from({scene.name, std::move(settings), std::move(start)});
                    },
                    [&](const command::Load& snapshot) { go_on_from(read_snapshot(snapshot.file)); },
                    [&](const command::Compare& compare) {

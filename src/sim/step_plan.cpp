@@ -308,8 +308,9 @@ void Simulation::plan(int fewest) {
     report_.step_limit_ratio = std::isfinite(limit) ? static_cast<double>(substep / limit) : 0;
 }
 
-/// Now and then it is time to plan again: springs that are drawn out or pushed together vibrate faster than at the
-/// start. Substeps then only become more: a symplectic method whose step changes to and fro gains energy.
+/// Decides the substeps of the step that begins. Now and then it is time to plan again: springs that are drawn out or
+/// pushed together vibrate faster than at the start. Substeps then only become more: a symplectic method whose step
+/// changes to and fro gains energy.
 void Simulation::plan_step() {
     const SolverSettings& solver = settings_.solver;
     if (solver.on_unstable == OnUnstable::Substep && !report_.asleep && report_.step > 0) {

@@ -38,9 +38,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             continue;
         // An unfinished one may lack cases, which a table that is written may not
         if (unfinished) continue;
-        std::istringstream again(written(experiment, *table));
-        fuzz::require(written(experiment, read_table(experiment, again, "again.csv", false).value()) == again.str(),
-                      "a table that was written reads the same");
+        std::string accepted = text;
+        std::erase(accepted, '\r');
+        fuzz::require(written(experiment, *table) == accepted, "a table that was read is written the same");
         // What it says in the end must not depend on luck
         fuzz::accepts([&] { (void)summary_of(experiment, table->rows()); });
         fuzz::accepts([&] { (void)experiment.charts(table->rows()); });

@@ -51,6 +51,7 @@ TEST(LongDriftCase, IsHowFarTheFarthestParticleWasFromWhereItRested) {
         farthest = std::max(farthest, static_cast<double>(moved.rowwise().norm().maxCoeff()));
     }
     EXPECT_EQ(row.number("drift_m"), farthest);
+    EXPECT_GT(farthest, 0);
     EXPECT_LT(farthest, 1e-4);
     EXPECT_EQ(row.word("end"), "awake");
 }

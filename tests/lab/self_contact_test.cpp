@@ -70,6 +70,7 @@ TEST(NightlyLabSelfContact, FindsCrossingsWithoutTheFailSafeAndWithItWhereTheSea
     EXPECT_GT(rows[0].number("crossed_steps"), 0);
     EXPECT_EQ(rows[1].number("unsearched_steps"), 0);
     EXPECT_EQ(rows[1].number("crossed_steps"), 0);
+    EXPECT_GT(rows[0].number("momentum_error"), rows[1].number("momentum_error"));
 }
 
 }  // namespace

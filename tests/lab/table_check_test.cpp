@@ -115,6 +115,8 @@ TEST(TableCheck, NamesLineColumnValueAndWhatIsAllowed) {
     EXPECT_EQ(with("agreement", "maybe"),
               "t.csv:11: column agreement: 'maybe': allowed 'agrees', 'disagrees' or 'close'");
     EXPECT_EQ(with("step_s", "1,1"), "t.csv:11: 15 cells: allowed 14");
+    EXPECT_EQ(with("step_s", "0.12345678"),
+              "t.csv:11: column step_s: '0.12345678': allowed '0.123457', as a run writes it");
     TableRow row = good_texts(stability);
     row[place_of(stability, "measured_step_s")] = "inf";
     EXPECT_EQ(flaw_of(stability.columns, row), "") << "of a method without a limit";
@@ -178,7 +180,7 @@ TEST(TableCheck, EndsEarlyWhereAFileIsTooLargeOrNoText) {
     Text text;
     EXPECT_THAT(refusal(replaced(text.all(), "A (R)", std::string(20'000, 'a'))),
                 HasSubstr("t.csv:4: too long: allowed 16384 bytes in a line"));
-    // Good lines, but too many; numbers may have any number of digits
+    // Of its size alone, before a line is read
     const std::string long_row = replaced(Text::row("3"), ",4,", ",4." + std::string(16'000, '0') + ",");
     text.rows.clear();
     for (int k = 0; k < 2200; ++k) text.rows += long_row;

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "drape/base/assert.h"
+
 namespace drape {
 
 template <class Enum>
@@ -36,7 +38,7 @@ consteval std::size_t count_values() {
 template <Enumeration Enum>
 inline constexpr std::size_t enum_count = count_values<Enum>();
 
-/// What an enumerator is called that cannot have the name by which it is shown; empty for all others.
+/// The name to show where it cannot follow from the enumerator's; empty: it follows.
 template <auto Value>
 inline constexpr std::string_view other_name = "";
 
@@ -57,6 +59,7 @@ std::string shown_name() {
 /// All names, in the order of the values.
 template <Enumeration Enum>
 std::span<const std::string> names_of() {
+    static_assert(enum_count<Enum> > 0, "the compiler writes enumerators in another way");
     static const auto names = []<std::size_t... values>(std::index_sequence<values...>) {
         return std::vector{shown_name<static_cast<Enum>(values)>()...};
     }
@@ -66,6 +69,7 @@ std::span<const std::string> names_of() {
 
 template <Enumeration Enum>
 const std::string& name_of(Enum value) {
+    DRAPE_ASSERT(static_cast<std::size_t>(value) < enum_count<Enum>);
     return names_of<Enum>()[static_cast<std::size_t>(value)];
 }
 

@@ -14,7 +14,7 @@ namespace drape {
 ///         numbers here; the caller's range refuses them.
 std::optional<double> parse_real(std::string_view text);
 
-/// The text without the blanks about it.
+/// The text without the blanks around it.
 std::string_view trimmed(std::string_view text);
 
 /// The pieces of a text between its commas: one more than there are commas.

@@ -33,7 +33,7 @@ TrialEnd try_step(const ClothModel& model, ClothState start, const IntegratorPar
 
 /// The longest step that stays bounded, by bisection to half a percent.
 /// @param guess where the search starts [s]; the bounds are doubled and halved from it until one fails and one does
-/// not. If it is not positive, that is a second.
+/// not. If it is not positive, the search starts at 1 s.
 /// @param tried told of every step that was tried; may be empty
 /// @return [s]; infinite if none up to a second fails, 0 if none does not
 Real measured_limit(const ClothModel& model, const ClothState& start, const IntegratorParameters& parameters,

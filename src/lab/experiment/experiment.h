@@ -40,7 +40,8 @@ using ExperimentCases = std::vector<ExperimentCase>;
 
 /// Some cases, and what is drawn of their rows where there are any. A share may have none.
 struct ExperimentPart {
-    std::string name;  ///< that its rows are given in the column `part`; empty: they are all, and there is none
+    /// Written to column `part` of its rows; empty if it is the only part and there is no such column.
+    std::string name;
     std::function<ExperimentCases(bool quick)> cases;
     ChartsOfRows charts;  ///< {}: none
 };

@@ -115,7 +115,14 @@ public:
             const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
             const TableRow texts(cells.begin() + 1, cells.end());
             if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) reader_.fail("{}", flaw);
-            table.cases[number].push_back(row_from(experiment_.columns, texts));
+            const Row& row = table.cases[number].emplace_back(row_from(experiment_.columns, texts));
+            // No digit may vanish where the row is written again
+            const TableRow again = row.texts(experiment_.columns, experiment_.digits);
+            for (std::size_t k = 0; k < texts.size(); ++k) {
+                if (texts[k] == again[k]) continue;
+                reader_.fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
+                             shortened(texts[k]), again[k]);
+            }
         }
         if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
         // Its last rows may be missing. Cases are computed in ascending order

@@ -55,8 +55,8 @@ struct ExperimentTable {
 };
 
 /// Reads a table that an experiment has written, as `TableWriter` writes it, and checks all of it: head, columns, every
-/// cell by its column, and that the cases are those of the head, each once and in their order. Nothing of a table that
-/// fails is used. Never keeps more of a line than it may have.
+/// cell by its column and as a run would write it, and that the cases are those of the head, each once and in their
+/// order. Nothing of a table that fails is used. Never keeps more of a line than it may have.
 /// @param name of the file, for messages
 /// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
 /// @return nothing if it is unfinished and cut off before its first row

@@ -23,10 +23,11 @@ struct MergeOptions {
 std::optional<ExperimentTable> joined(const Experiment& experiment, const std::vector<std::string>& folders) {
     std::optional<ExperimentTable> whole;
     std::string first;
+    std::map<std::size_t, std::string> file_of;  // of each case
     std::set<std::string> machines;
     for (const std::filesystem::path folder : folders) {
         const auto path = folder / (experiment.name + ".csv");
-        const std::string file = path.string();
+        std::string file = path.string();
         if (exists(unfinished_name(path))) {
             throw InputError(unfinished_name(path).string() + ": not finished; start its run again to go on with it");
         }
@@ -34,7 +35,10 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         if (!share) continue;
         for (auto& [key, value] : share->head) {
             if (key == "machine") machines.insert(value);
-            if (key == "settings") value = value.substr(0, value.find(" --share "));
+            const std::size_t mark = key == "settings" ? value.find(" --share ") : std::string::npos;
+            if (mark == std::string::npos) continue;
+            file += " (" + value.substr(mark + 1) + ")";
+            value.resize(mark);
         }
         if (!whole) {
             first = file;
@@ -43,9 +47,11 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         if (const auto differs = difference(share->head, whole->head, {"date", "machine"}); !differs.empty()) {
             throw InputError(fmt::format("{} is of another run than {} ({})", file, first, differs));
         }
+        for (const auto& [number, rows] : share->cases) {
+            const auto [other, is_new] = file_of.emplace(number, file);
+            if (!is_new) throw InputError(fmt::format("case {} is in {} and in {}", number, other->second, file));
+        }
         whole->cases.merge(share->cases);
-        if (share->cases.empty()) continue;
-        throw InputError(fmt::format("{}: case {} is in another table, too", file, share->cases.begin()->first));
     }
     if (!whole) return {};
     const CaseSelection selection = parse_selection(line_of(whole->head, "settings")).value();

@@ -45,13 +45,15 @@ std::string script_text(const std::string& name) {
 }
 
 /// What the head of a script says that its chart shows, in lines that begin with a mark; then more.
-std::string caption_of(const std::string& script, const std::string& more) {
+/// @param name of the script, for the message
+std::string caption_of(const std::string& name, const std::string& script, const std::string& more) {
     constexpr std::string_view mark = "# caption: ";
     std::istringstream text(script);
     std::vector<std::string> parts;
     for (std::string line; std::getline(text, line);) {
         if (line.starts_with(mark)) parts.push_back(line.substr(mark.size()));
     }
+    if (parts.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
     if (!more.empty()) parts.push_back(more);
     return in_words(parts);
 }
@@ -67,8 +69,9 @@ std::string escaped(const std::string& text) {
 /// The exit code of a script that finds nothing to draw in its table.
 constexpr int nothing_to_draw = 3;
 
+/// @param all the table has all cases: that there is nothing to draw is worth a line
 /// @return what the page has of the charts that were drawn
-std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::path& table) {
+std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::path& table, bool all) {
     // gnuplot runs beside the table and knows files by names that are ours: no path is part of its program
     const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
     std::string figures;
@@ -81,7 +84,7 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
             data.stream() << chart.data;
             data.close();
         }
-        const std::string own = script_text(chart.script.empty() ? name : chart.script);
+        const std::string own_name = chart.script.empty() ? name : chart.script, own = script_text(own_name);
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
                       << assignments_of(chart) << '\n'
@@ -93,12 +96,13 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
             std::cerr << "There is no gnuplot (Debian package gnuplot-nox): the charts are not drawn.\n";
             return {};
         }
+        if (*code == nothing_to_draw && all) std::cerr << "There is nothing to draw for " << name << ".\n";
         if (*code == nothing_to_draw) continue;
         if (*code != 0) throw RunError("gnuplot failed on " + (folder / script).string());
         figures += fmt::format(
             "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
             "</figure>\n",
-            name, escaped(caption_of(own, chart.caption)));
+            name, escaped(caption_of(own_name, own, chart.caption)));
     }
     return figures;
 }
@@ -152,7 +156,8 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file), summary, file);
+    const bool all = line_of(table.head, "settings").find(" --") == std::string::npos;  // neither cases nor a share
+    write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file, all), summary, file);
 }
 
 }  // namespace drape

@@ -24,6 +24,7 @@ std::string assignments_of(const Chart& chart);
 
 /// Shows a finished table: prints the summary, draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which
 /// stays there for who wants to change it, and writes index.html, which opens from disk and needs nothing but these.
+/// Says which charts had nothing to draw, unless the table has only some of the cases.
 /// @throws RunError if a file cannot be read or written, or gnuplot fails
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 

@@ -124,9 +124,14 @@ void write_scene(Settings scene, const Settings& full, const files::path& file) 
     OutputFile out(file.string());
     out.stream() << scene_text(scene);
     const files::path target = link_target(file), kept = target.string() + "~";
-    std::error_code error;
-    if (files::exists(target)) files::copy_file(target, kept, files::copy_options::overwrite_existing, error);
-    if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
+    if (files::exists(target)) {
+        std::error_code error;
+        if (files::is_symlink(kept)) files::remove(kept, error);
+        UnfinishedFile copy(kept);
+        if (!error) files::copy_file(target, copy.name(), files::copy_options::overwrite_existing, error);
+        if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
+        copy.finish();
+    }
     out.close();
 }
 

@@ -29,7 +29,7 @@ struct Motion {
     double wall = 0;             ///< the same by a clock [s/s]
 };
 
-/// The limit of what has none.
+/// Stands for: no limit.
 inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 /// The larger of two; what is no number is larger than all, so that it is not missed.

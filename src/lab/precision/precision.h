@@ -28,7 +28,7 @@ struct PrecisionScene {
     int rungs;          ///< steps of a method with a step limit, each half of the one before
     int finest_steps;   ///< the most that a method without a step limit takes to the horizon
     int phases;         ///< with a ball: phases of the first impact within a step that errors are averaged over
-    /// Ever closer: from which the growth of errors is found, the last but one, and the last, which is taken for the
+    /// Ever closer: the first for the growth of errors, the second for the error of the third, which is taken for the
     /// truth. Without a ball: of Dormand-Prince. With one, where the step decides when an impact is noticed: of
     /// velocity Verlet, so short that its own error is far below that of the impacts.
     std::array<Rung, 3> reference;

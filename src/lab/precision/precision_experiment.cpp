@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,8 +23,9 @@ namespace {
 constexpr double least_margin = 100;
 
 /// Of the steps of a method that are shorter than any that was unstable.
-/// @param method its rows, from long steps to short ones
-std::optional<double> order_of(const Rows& method) {
+/// @param method its rows
+std::optional<double> order_of(Rows method) {
+    std::ranges::stable_sort(method, std::greater(), number_of("step_s"));
     std::vector<std::pair<double, double>> errors;
     for (const Row& row : method) {
         if (row.word("end") != "bounded") {
@@ -142,7 +144,12 @@ ExperimentCases precision_cases(bool quick) {
 std::vector<Chart> precision_charts(const Rows& rows) {
     std::vector<Chart> charts;
     for (const std::string& scene : words_of(rows, "scene")) {
-        const Rows own = rows_with(rows, "scene", scene), points = rows_with(own, "end", "bounded");
+        Rows own = rows_with(rows, "scene", scene);
+        // They could not be drawn
+        std::erase_if(own, [](const Row& row) {
+            return row.word("end") == "bounded" && std::isnan(row.number("error") + row.number("cost_s_per_s"));
+        });
+        const Rows points = rows_with(own, "end", "bounded");
         if (points.empty()) continue;
         const double growth = points.front().number("growth");
         if (!(growth <= most_growth)) {
@@ -168,6 +175,7 @@ std::vector<Chart> precision_charts(const Rows& rows) {
     }
     return charts;
 }
+
 Experiment precision_experiment() {
     return {"precision",
             "what does accuracy cost, by which method?",
