@@ -42,7 +42,7 @@ const MethodRow& method_of(IntegratorKind kind) {
         {.make = make<DormandPrince>, .displacement = 0.5, .tolerance = 1e-6, .numbers = 57},
     }};
     static_assert(rows.size() == enum_count<IntegratorKind>, "every kind has its row");
-    static_assert(rows.back().make != nullptr, "and no row is left empty");
+    static_assert(rows.back().numbers > 0, "and no row is left empty");
     return rows[static_cast<std::size_t>(kind)];
 }
 
