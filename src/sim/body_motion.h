@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "drape/contact/solid.h"
+#include "drape/contact/body.h"
 #include "drape/model/ball.h"
 #include "drape/scene/settings.h"
 

@@ -78,8 +78,7 @@ MovingCloth ContactStage::motion_of(std::size_t cloth) const {
 }
 
 void ContactStage::make_bodies() {
-    const ContactSettings& contact = now_.settings->contact;
-    const Surface surface{contact.friction, contact.restitution, contact.rolling};
+    const Surface& surface = now_.settings->contact;
     now_.bodies.clear();
     for (const Ball& ball : now_.moving.balls) now_.bodies.push_back(body_of(ball, surface));
     for (const Solid& solid : now_.moving.solids) now_.bodies.push_back(body_of(solid, surface));

@@ -6,11 +6,11 @@
 #include "drape/base/enum_names.h"
 #include "drape/base/real.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/contact/body.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/cloth_model.h"
 #include "drape/model/cloth_parameters.h"
-#include "drape/model/ground.h"
 
 namespace drape {
 
@@ -96,7 +96,8 @@ inline constexpr std::string_view other_name<Continuous::Always> = "true";
 template <>
 inline constexpr std::string_view other_name<Continuous::Never> = "false";
 
-struct ContactSettings {
+/// How contacts are found and answered, and the surface of balls, solids and cloth.
+struct ContactSettings : Surface {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
     int leaf_cells = 0;  ///< 0: as measured to be fastest
@@ -104,9 +105,6 @@ struct ContactSettings {
     int search_level = SearchLimit::all_levels;
     int search_tests = 0;  ///< of one query; 0: no end
     ResponseKind response = ResponseKind::Projection;
-    Real friction = Real(0.3);
-    Real rolling = 0;  ///< resistance to the rolling of free balls on cloth and solids, as `Ground::rolling`
-    Real restitution = 0;
     Real thickness = Real(0.002);
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]
     double longest_step = 5e-4;  ///< of an implicit method in contact, see `substeps_in_contact` [s]

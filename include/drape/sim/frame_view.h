@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "drape/bounds/broad_phase.h"
+#include "drape/contact/body.h"
 #include "drape/contact/contact_row.h"
-#include "drape/contact/solid.h"
 #include "drape/model/ball.h"
 #include "drape/model/cloth_model.h"
 #include "drape/scene/settings.h"

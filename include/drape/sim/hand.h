@@ -4,9 +4,8 @@
 #include <span>
 #include <string>
 
-#include "drape/contact/solid.h"
+#include "drape/contact/body.h"
 #include "drape/model/ball.h"
-#include "drape/model/ground.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "drape/contact/solid.h"
+#include "drape/contact/body.h"
 
 namespace drape {
 
