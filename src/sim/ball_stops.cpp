@@ -1,13 +1,20 @@
-#include "ball_stops.h"
-
 #include <algorithm>
 #include <limits>
 
 #include "drape/contact/detection.h"
 #include "drape/model/stencils.h"
+#include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
+
+/// What can stop a ball under the keys, which nothing pushes.
+struct BallStops {
+    std::span<const Cloth> cloths;
+    std::span<const ContactRow> rows;  ///< contacts of the substep before
+    std::span<const Body> bodies;      ///< solids, and the ground if it is solid
+    Real thickness;                    ///< of the cloth: a pin has it, and bodies leave room for two [m]
+};
 
 /// By how much of its rest length a spring is beyond the limit where cloth counts as taut. Contact, which comes after
 /// the limit, leaves less in cloth that can give way, but for what the ball has just moved by.
@@ -102,8 +109,18 @@ bool may_leave(const BallStops& stops, const Ball& led) {
     return !enters_pin && penetrates_no_deeper(stops.bodies, 2 * stops.thickness, led);
 }
 
-}  // namespace
-
+/// Stops a ball within the substep. It may slide along what stops it, and go back.
+/// - Cloth stops it while a spring where they touch is well beyond the cloth's stretch limit: pins, the hand, or what
+///   presses from the other side then leave it no more to give. Cloth without a limit always gives way.
+/// - So does a pinned particle, unless it is in the hand, which gives way; one that is inside the ball already may come
+///   no nearer to its centre. Where the ball is at the end of the substep counts, not what it has passed.
+/// - So do ground and solids.
+///
+/// A ball that cannot get out of all of these stays where it was, unless the keys lead it where it penetrates none of
+/// them more deeply. A ball at rest gives way to solids that move into it, if the ground leaves it room; cloth and pins
+/// do not stop it then.
+/// @param number of the ball, which has moved within the substep
+/// @par Cost O(particles) where the ball moves
 void stop_ball(const BallStops& stops, int number, Ball& ball) {
     const Real room = 2 * stops.thickness;
     const Vec3 start = ball.centre - ball.moved;
@@ -129,6 +146,18 @@ void stop_ball(const BallStops& stops, int number, Ball& ball) {
     ball.centre = start;
     ball.velocity.setZero();
     ball.moved.setZero();
+}
+
+}  // namespace
+
+void Simulation::stop_balls() {
+    obstacles_.clear();
+    for (const Solid& solid : solids_) obstacles_.push_back(body_of(solid, {}));
+    if (settings_.ground.solid) obstacles_.push_back(body_of(settings_.ground));
+    const BallStops stops{cloths_, contact_.rows(), obstacles_, settings_.contact.thickness};
+    for (std::size_t b = 0; b < balls_.size(); ++b) {
+        if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), balls_[b]);
+    }
 }
 
 }  // namespace drape

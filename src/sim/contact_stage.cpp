@@ -6,7 +6,6 @@
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
 #include "drape/contact/detection.h"
-#include "run_checks.h"
 
 namespace drape {
 namespace {
@@ -24,6 +23,20 @@ std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size
     };
     const auto begin = std::ranges::find_if(rows, is_its);
     return {begin, std::find_if_not(begin, rows.end(), is_its)};
+}
+
+/// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
+/// unseen.
+void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
+    constexpr double calm = 0.5;  // s, between one danger and the next
+    if (!crossing.possible()) return;
+    TunnellingRisk& danger = report.crossing;
+    if (danger.starts == 0 || time > danger.last + calm) {
+        ++danger.starts;
+        danger.speed = static_cast<double>(crossing.distance / h);
+        danger.safe_speed = static_cast<double>(crossing.radius / (2 * h));
+    }
+    danger.last = time;
 }
 
 }  // namespace

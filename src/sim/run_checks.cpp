@@ -1,7 +1,6 @@
-#include "run_checks.h"
-
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 
 #include "drape/base/numbers.h"
@@ -137,6 +136,13 @@ void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& 
     report.gained_by = integrator;
 }
 
+/// Clauses with semicolons between, but for those that are empty.
+std::string joined(std::initializer_list<std::string> clauses) {
+    std::string text;
+    for (const std::string& clause : clauses) text += (text.empty() || clause.empty() ? "" : "; ") + clause;
+    return text;
+}
+
 /// That balls which keys or forces move start where the scene has them, for the state in which the cloths start has
 /// none; empty if not so.
 std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
@@ -188,24 +194,6 @@ void Simulation::measure_stretch() {
     if (over) report_.overstretched += settings_.solver.dt;
 }
 
-std::string joined(std::initializer_list<std::string> clauses) {
-    std::string text;
-    for (const std::string& clause : clauses) text += (text.empty() || clause.empty() ? "" : "; ") + clause;
-    return text;
-}
-
-void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
-    constexpr double calm = 0.5;  // s, between one danger and the next
-    if (!crossing.possible()) return;
-    TunnellingRisk& danger = report.crossing;
-    if (danger.starts == 0 || time > danger.last + calm) {
-        ++danger.starts;
-        danger.speed = static_cast<double>(crossing.distance / h);
-        danger.safe_speed = static_cast<double>(crossing.radius / (2 * h));
-    }
-    danger.last = time;
-}
-
 std::string Simulation::crossing_warning() const {
     const TunnellingRisk& danger = report_.crossing;
     if (danger.starts == 0) return {};
@@ -235,8 +223,9 @@ std::string Simulation::step_warning() const {
     const auto places = [](std::int64_t count) {
         return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
     };
+    const auto [of_method, of_penalty] = limit_warnings();
     return joined(
-        {limit_warnings(), crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
+        {of_method, of_penalty, crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
          coincident > 0
              ? "cloth touches cloth at distance 0 in " + places(coincident) + "is moved apart by contact.thickness"
              : "",

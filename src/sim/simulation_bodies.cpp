@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "ball_stops.h"
 #include "body_motion.h"
 #include "drape/base/input_error.h"
 #include "drape/sim/simulation.h"
@@ -27,16 +26,6 @@ void Simulation::configure_balls(const Settings& before) {
 void Simulation::put_ball(std::size_t number, const Vec3& centre) {
     balls_[number].centre = centre;
     contact_.forget_bodies([&](int body) { return body == static_cast<int>(number); });
-}
-
-void Simulation::stop_balls() {
-    obstacles_.clear();
-    for (const Solid& solid : solids_) obstacles_.push_back(body_of(solid, {}));
-    if (settings_.ground.solid) obstacles_.push_back(body_of(settings_.ground));
-    const BallStops stops{cloths_, contact_.rows(), obstacles_, settings_.contact.thickness};
-    for (std::size_t b = 0; b < balls_.size(); ++b) {
-        if (settings_.balls[b].motion == BallMotion::Keys) stop_ball(stops, static_cast<int>(b), balls_[b]);
-    }
 }
 
 /// The user's ball is the first of the keys, or else the first free one, or else the first of all.

@@ -10,7 +10,6 @@
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
 #include "gusts.h"
-#include "run_checks.h"
 
 namespace drape {
 namespace {
@@ -354,9 +353,9 @@ std::string Simulation::limit_advice() const {
            real_text(995 * longest, 3) + " ms. ";
 }
 
-std::string Simulation::limit_warnings() const {
-    return joined({step_limit_warning(settings_.solver, report_, planned_substeps_),
-                   penalty_limit_warning(settings_, cloths_, planned_substeps_)});
+std::pair<std::string, std::string> Simulation::limit_warnings() const {
+    return {step_limit_warning(settings_.solver, report_, planned_substeps_),
+            penalty_limit_warning(settings_, cloths_, planned_substeps_)};
 }
 
 }  // namespace drape

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <limits>
 
-#include "drape/contact/search_audit.h"
+#include "drape/contact/detection.h"
 #include "drape/model/energy.h"
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/contact/search_audit.h"
 #include "sim/small_scene.h"
 
 namespace drape {

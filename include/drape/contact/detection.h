@@ -116,4 +116,26 @@ bool stay_outside(std::span<const Body> bodies, const Vec3& start, Real gap, Bal
 /// @param gap as above [m]
 [[nodiscard]] bool penetrates_no_deeper(std::span<const Body> bodies, Real gap, const Ball& ball);
 
+/// Measures what a limited search gets wrong, by testing every cell exactly: for charts, not for the clock.
+class SearchAudit {
+public:
+    SearchAudit(const Grid& grid, Kernels kernels);
+
+    /// How many of the nodes give a contact although no triangle within them touches the ball.
+    /// @param nodes at which the search for this ball has ended
+    /// @par Cost O(cells + nodes * touched triangles)
+    std::int64_t false_contacts(const Points& x, const Ball& ball, Real thickness, std::span<const StoppedNode> nodes);
+
+    /// The largest depth of any triangle in any ball, 0 if none touches [m].
+    /// @par Cost O(cells * balls)
+    Real penetration(const Points& x, std::span<const Ball> balls, Real thickness);
+
+private:
+    Grid grid_;
+    Kernels kernels_;
+    std::vector<CellRun> cells_;  ///< all there are
+    std::vector<int> triangles_;
+    std::vector<ContactRow> rows_;
+};
+
 }  // namespace drape

@@ -7,7 +7,6 @@
 #include "drape/base/copied.h"
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/detection.h"
-#include "drape/contact/search_audit.h"
 #include "drape/scene/settings.h"
 
 namespace drape {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drape/base/copied.h"
@@ -122,8 +123,8 @@ private:
     /// What is wrong with the step of a run that has diverged, as a sentence with a space after it; empty if nothing.
     [[nodiscard]] std::string limit_advice() const;
 
-    /// That the step is longer than the limit of the method, or of the penalty.
-    [[nodiscard]] std::string limit_warnings() const;
+    /// That the step is longer than the limit of the method, and than that of the penalty; empty where it is not.
+    [[nodiscard]] std::pair<std::string, std::string> limit_warnings() const;
 
     [[nodiscard]] bool kinematic_body_has_moved() const;
     void end_with(std::string error);

@@ -1,4 +1,4 @@
-#include "drape/contact/search_audit.h"
+#include "drape/contact/detection.h"
 
 #include <algorithm>
 

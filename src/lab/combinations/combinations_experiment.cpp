@@ -5,7 +5,7 @@
 
 #include "combination.h"
 #include "drape/base/input_error.h"
-#include "drape/contact/search_audit.h"
+#include "drape/contact/detection.h"
 #include "drape/integrate/stability.h"
 #include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"

@@ -7,7 +7,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/contact/closest_point.h"
-#include "drape/contact/search_audit.h"
+#include "drape/contact/detection.h"
 #include "drape/scene/setting_table.h"
 #include "lab/experiments.h"
 
