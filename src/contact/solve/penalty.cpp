@@ -90,8 +90,8 @@ Sweeps solve_penalties(ContactProblem& problem) {
     } else {
         push_by_displacements(problem);
     }
-    const Sweeps sweeps = solve_friction(problem, Quantity::Displacement, displacement_tolerance(problem));
-    const Sweeps more = solve_friction(problem, Quantity::Velocity, velocity_tolerance(problem));
+    const Sweeps sweeps = solve_friction(problem, Quantity::Displacement);
+    const Sweeps more = solve_friction(problem, Quantity::Velocity);
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 

@@ -27,7 +27,7 @@ Sweeps project_positions(ContactProblem& problem) {
                 longest = std::max(longest, length_of_push(problem, row));
                 state.active = state.inverse_mass > 0;
             });
-        const Sweeps sweeps = solve(problem, Quantity::Displacement, displacement_tolerance(problem));
+        const Sweeps sweeps = solve(problem, Quantity::Displacement);
         all = {all.count + sweeps.count, sweeps.residual};
         if (longest <= short_push) break;
         for_each_row(problem, [&](ContactRow& row, RowState& state) { find_again(problem, row, state); });
@@ -43,7 +43,7 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     choose(problem, [](const ContactRow& row, const RowState&) {
         return row.displacement.normal > 0 || row.impulse.normal > 0;
     });
-    const Sweeps stopped = solve(problem, Quantity::Velocity, velocity_tolerance(problem));
+    const Sweeps stopped = solve(problem, Quantity::Velocity);
     return {.residual = displaced.residual, .sweeps = displaced.count + stopped.count};
 }
 

@@ -46,21 +46,23 @@ Real solve_friction_of(const ContactProblem& problem, ContactMotion& motion, Con
                 {total.normal, friction_within(state, total, sliding, state.surface.friction * total.normal)});
 }
 
-/// Of displacements within the substep.
-/// @param of_pairs that between cloths [m]
-Real tolerance_of(const ContactProblem& problem, Real of_pairs) {
+Real tolerance_of(const ContactProblem& problem, Quantity quantity) {
+    const bool moves = quantity == Quantity::Displacement;
+    Real of_pairs = thickness_tolerance * problem.parameters.pair_thickness;
+    if (!moves) of_pairs = std::min(of_pairs, pair_velocity_tolerance * problem.h);
     bool has_pairs = false;
     for_each_row(problem,
                  [&](const ContactRow& row, const RowState&) { has_pairs = has_pairs || row.kind == RowKind::Pair; });
     const Real fall = problem.gravity.norm() * problem.h * problem.h;
-    return std::max(
-        {gravity_tolerance * fall, has_pairs ? of_pairs : Real(0), 4 * std::numeric_limits<Real>::epsilon()});
+    const Real within_step =
+        std::max({gravity_tolerance * fall, has_pairs ? of_pairs : Real(0), 4 * std::numeric_limits<Real>::epsilon()});
+    return moves ? within_step : within_step / problem.h;
 }
 
 /// Calls solve_one(row, state) for the chosen contacts, again and again.
 template <class SolveOne>
-Sweeps sweep_rows(ContactProblem& problem, Real tolerance, SolveOne solve_one) {
-    return sweep_until(tolerance, [&] {
+Sweeps sweep_rows(ContactProblem& problem, Quantity quantity, SolveOne solve_one) {
+    return sweep_until(tolerance_of(problem, quantity), [&] {
         Real square = 0;
         for_each_chosen(problem,
                         [&](ContactRow& row, RowState& state) { square = std::max(square, solve_one(row, state)); });
@@ -70,30 +72,20 @@ Sweeps sweep_rows(ContactProblem& problem, Real tolerance, SolveOne solve_one) {
 
 }  // namespace
 
-Sweeps solve(ContactProblem& problem, Quantity quantity, Real tolerance) {
+Sweeps solve(ContactProblem& problem, Quantity quantity) {
     ContactMotion& motion = problem.motion(quantity);
-    if (!problem.scratch.order.empty()) return solve_compact(problem, motion, tolerance);
+    if (!problem.scratch.order.empty()) return solve_compact(problem, motion, tolerance_of(problem, quantity));
     // Flat, because GCC would call a function for each sum of three numbers
     return sweep_rows(
-        problem, tolerance, [&](ContactRow & row, RowState & state) __attribute__((flatten)) {
+        problem, quantity, [&](ContactRow & row, RowState & state) __attribute__((flatten)) {
             return solve_row(problem, motion, row, state);
         });
 }
 
-Sweeps solve_friction(ContactProblem& problem, Quantity quantity, Real tolerance) {
+Sweeps solve_friction(ContactProblem& problem, Quantity quantity) {
     ContactMotion& motion = problem.motion(quantity);
-    return sweep_rows(problem, tolerance,
+    return sweep_rows(problem, quantity,
                       [&](ContactRow& row, RowState& state) { return solve_friction_of(problem, motion, row, state); });
-}
-
-Real displacement_tolerance(const ContactProblem& problem) {
-    return tolerance_of(problem, thickness_tolerance * problem.parameters.pair_thickness);
-}
-
-Real velocity_tolerance(const ContactProblem& problem) {
-    const Real of_pairs =
-        std::min(thickness_tolerance * problem.parameters.pair_thickness, pair_velocity_tolerance * problem.h);
-    return tolerance_of(problem, of_pairs) / problem.h;
 }
 
 }  // namespace drape

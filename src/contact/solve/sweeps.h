@@ -30,11 +30,14 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
     });
 }
 
-/// Solves the chosen contacts one after the other, again and again, until none changes by more than the tolerance.
-[[nodiscard]] Sweeps solve(ContactProblem& problem, Quantity quantity, Real tolerance);
+/// Solves the chosen contacts one after the other, again and again, until none changes by more than a tolerance: of
+/// displacements, a small part of what gravity moves a particle by within a step or, if more, of the thickness between
+/// cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but between cloths no
+/// more than what is seen as rest.
+[[nodiscard]] Sweeps solve(ContactProblem& problem, Quantity quantity);
 
 /// The same where impulses along the normals are fixed: friction alone.
-[[nodiscard]] Sweeps solve_friction(ContactProblem& problem, Quantity quantity, Real tolerance);
+[[nodiscard]] Sweeps solve_friction(ContactProblem& problem, Quantity quantity);
 
 /// Gives impulses to the contacts that are impacts.
 Sweeps solve_impacts(ContactProblem& problem);
@@ -62,12 +65,6 @@ namespace kernels {
 Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows);
 
 }  // namespace kernels
-
-/// Tolerances: of displacements, a small part of what gravity moves a particle by within a step or, if more, of the
-/// thickness between cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but
-/// between cloths no more than what is seen as rest.
-[[nodiscard]] Real displacement_tolerance(const ContactProblem& problem);
-[[nodiscard]] Real velocity_tolerance(const ContactProblem& problem);
 
 /// Repeats a sweep until nothing changes by more than the tolerance.
 /// @param sweep sweep() returns the square of the largest change
