@@ -47,6 +47,14 @@ bool is_hidden_name(const files::path& file) {
     return end != digits && digits < name.size() && (end == std::string::npos || name[end] == '.');
 }
 
+/// Whether a file that is open still has this name.
+bool has_name(int descriptor, const files::path& name) {
+    struct stat open_file {
+    }, named{};
+    return fstat(descriptor, &open_file) == 0 && lstat(name.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
+           open_file.st_dev == named.st_dev;
+}
+
 /// Removes the file unless somebody holds its lock. @return whether the name is free now
 bool removed_if_dead(const files::path& name) {
     const int found = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
@@ -84,13 +92,6 @@ files::path rename_beside(const files::path& from, const files::path& other) {
 }
 
 }  // namespace
-
-bool has_name(int descriptor, const files::path& name) {
-    struct stat open_file {
-    }, named{};
-    return fstat(descriptor, &open_file) == 0 && lstat(name.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
-           open_file.st_dev == named.st_dev;
-}
 
 files::path link_target(const files::path& name) {
     constexpr int most_links = 40;
@@ -196,6 +197,21 @@ files::path UnfinishedFile::finish_beside() {
     const files::path name = rename_beside(name_, target_);
     finished_ = true;
     return file_.parent_path() / name.filename();
+}
+
+FolderLock::FolderLock(const std::filesystem::path& file)
+    : name_(file.string() + ".lock"), descriptor_(open(name_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
+    if (descriptor_ < 0) throw RunError(name_.string() + ": cannot be written");
+    // Without its name it is that of a run that has just ended
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && has_name(descriptor_, name_)) return;
+    close(descriptor_);
+    throw RunError(file.string() + ": another run is writing it; name another folder by --out");
+}
+
+FolderLock::~FolderLock() {
+    std::error_code ignored;
+    std::filesystem::remove(name_, ignored);
+    close(descriptor_);
 }
 
 }  // namespace drape

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "drape/base/folder_lock.h"
+#include "drape/base/unfinished_file.h"
 #include "drape/render/image.h"
 
 namespace drape {

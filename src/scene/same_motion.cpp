@@ -1,9 +1,8 @@
-#include "drape/scene/same_motion.h"
-
 #include <algorithm>
 #include <tuple>
 
 #include "drape/integrate/stability.h"
+#include "drape/scene/settings.h"
 
 namespace drape {
 namespace {

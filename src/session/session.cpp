@@ -8,7 +8,6 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/stopwatch.h"
-#include "drape/scene/same_motion.h"
 
 namespace drape {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
-#include "drape/scene/same_motion.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/snapshot.h"

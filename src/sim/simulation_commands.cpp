@@ -3,7 +3,6 @@
 
 #include "body_motion.h"
 #include "drape/scene/memory.h"
-#include "drape/scene/same_motion.h"
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"

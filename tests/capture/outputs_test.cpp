@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "drape/base/folder_lock.h"
 #include "drape/base/numbers.h"
+#include "drape/base/unfinished_file.h"
 #include "drape/render/image.h"
 #include "program.h"
 #include "support/read_png.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "drape/base/folder_lock.h"
+#include "drape/base/unfinished_file.h"
 #include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 

@@ -13,7 +13,6 @@
 #include "drape/session/comparison.h"
 #include "drape/session/history.h"
 #include "drape/session/recording.h"
-#include "drape/session/step_times.h"
 #include "drape/session/unstable_mode.h"
 #include "drape/sim/simulation.h"
 

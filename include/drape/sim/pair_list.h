@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "drape/base/lazy_workers.h"
+#include "drape/base/workers.h"
 #include "drape/contact/near_pairs.h"
 
 namespace drape {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "drape/base/command_line.h"
-#include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"
 #include "drape/base/run_program.h"
+#include "drape/base/unfinished_file.h"
 #include "run_experiment.h"
 
 namespace drape {

@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "drape/base/command_line.h"
-#include "drape/base/folder_lock.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/progress.h"
 #include "drape/base/run_program.h"
 #include "drape/base/stopwatch.h"
+#include "drape/base/unfinished_file.h"
 
 namespace drape {
 namespace {
