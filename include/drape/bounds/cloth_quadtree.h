@@ -11,7 +11,6 @@
 #include "drape/bounds/fold_test.h"
 #include "drape/bounds/leaf_copies.h"
 #include "drape/bounds/node_view.h"
-#include "drape/bounds/pair_traversal.h"
 #include "drape/bounds/quadtree_nodes.h"
 
 namespace drape {
@@ -114,15 +113,10 @@ public:
         DRAPE_ASSERT(built_ && dynamic_cast<const ClothQuadtree*>(&other) != nullptr);
         const auto& second = static_cast<const ClothQuadtree&>(other);
         pairs.clear();
-        PairTraversal<Volume> traversal{{nodes_, volumes_},
-                                        {second.nodes_, second.volumes_},
-                                        margin + slack_ + second.slack_,
-                                        folds,
-                                        visits_,
-                                        pairs,
-                                        {.nodes = static_cast<std::int64_t>(nodes_.size())}};
-        &second == this ? traversal.traverse_itself(0) : traversal.traverse(0, 0);
-        return traversal.stats;
+        PairSearch search{
+            second, margin + slack_ + second.slack_, folds, pairs, {.nodes = static_cast<std::int64_t>(nodes_.size())}};
+        &second == this ? traverse_itself(0, search) : traverse_both(0, 0, search);
+        return search.stats;
     }
 
     TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const override {
@@ -213,6 +207,56 @@ private:
             }
         }
         stats.stopped = static_cast<std::int64_t>(found.stopped.size());
+    }
+
+    /// This tree and another, or itself, gone down in pairs of nodes to the pairs of leaves that are no farther from
+    /// each other than a margin.
+    struct PairSearch {
+        const ClothQuadtree& other;
+        Real margin;                   ///< with what the volumes lack [m]
+        const FoldTest* folds;         ///< to be asked where this tree is traversed against itself; null: none
+        std::vector<LeafPair>& pairs;  ///< receives the leaves
+        TraversalStats stats;
+    };
+
+    /// A node against itself: each child against itself, and against those after it.
+    void traverse_itself(int n, PairSearch& search) {
+        const QuadtreeNode& node = nodes_[at(n)];
+        ++search.stats.visited;
+        if (search.folds && search.folds->node_is_separated(n, search.margin)) return mark(n, NodeVisit::Pruned);
+        if (node.children == 0) return take_leaves(n, n, search);
+        mark(n, NodeVisit::Entered);
+        for (int child = 0; child < node.children; ++child) {
+            traverse_itself(node.first_child + child, search);
+            for (int next = child + 1; next < node.children; ++next) {
+                traverse_both(node.first_child + child, node.first_child + next, search);
+            }
+        }
+    }
+
+    /// A node against one of the other tree: the children of both, where both have any.
+    void traverse_both(int n, int m, PairSearch& search) {
+        const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
+        ++search.stats.visited;
+        ++search.stats.volume_tests;
+        const bool are_near = volumes_[at(n)].comes_within(search.other.volumes_[at(m)], search.margin);
+        if (!are_near) return mark(n, NodeVisit::Pruned);
+        if (search.folds && search.folds->nodes_are_separated(n, m, search.margin)) return mark(n, NodeVisit::Pruned);
+        if (node.children == 0 && other.children == 0) return take_leaves(n, m, search);
+        mark(n, NodeVisit::Entered);
+        const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
+        const int other_first = other.children > 0 ? other.first_child : m, others = std::max(other.children, 1);
+        for (int i = 0; i < count; ++i) {
+            for (int j = 0; j < others; ++j) traverse_both(first + i, other_first + j, search);
+        }
+    }
+
+    void take_leaves(int n, int m, PairSearch& search) {
+        mark(n, NodeVisit::Leaf);
+        const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
+        search.pairs.push_back({node, other});
+        ++search.stats.leaves;
+        search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
 
     [[nodiscard]] StoppedNode stop_at(int n) const {
