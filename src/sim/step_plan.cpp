@@ -116,21 +116,14 @@ struct Mover {
     Real radius, speed;  ///< [m], [m/s]
 };
 
-bool may_reach_ball(const Settings& settings, std::span<const Ball> balls, std::size_t number, const Mover& mover) {
-    const Real distance = (mover.centre - balls[number].centre).norm() - balls[number].radius - mover.radius;
-    const Real way = displacement_within_step(settings, mover.speed + speed_of(settings, balls, number));
-    return distance <= settings.contact.thickness + way;
+/// @param speed of the body [m/s]
+bool may_reach(const Settings& settings, const Body& body, Real speed, const Mover& mover) {
+    const Real way = displacement_within_step(settings, mover.speed + speed);
+    return body.measure(mover.centre).distance - mover.radius <= settings.contact.thickness + way;
 }
 
 bool may_reach_ground(const Settings& settings, const Mover& mover) {
-    const Real height = mover.centre.y() - settings.ground.height - mover.radius;
-    return settings.ground.solid &&
-           height <= settings.contact.thickness + displacement_within_step(settings, mover.speed);
-}
-
-bool may_reach_solid(const Settings& settings, const Solid& solid, const Mover& mover) {
-    const Real way = displacement_within_step(settings, mover.speed + solid.velocity.norm());
-    return solid.distance(mover.centre) - mover.radius <= settings.contact.thickness + way;
+    return settings.ground.solid && may_reach(settings, body_of(settings.ground), 0, mover);
 }
 
 /// Whether something may touch a ball or a solid.
@@ -138,9 +131,13 @@ bool may_reach_solid(const Settings& settings, const Solid& solid, const Mover& 
 bool may_reach_body(const Settings& settings, std::span<const Ball> balls, std::span<const Solid> solids,
                     const Mover& mover, int itself) {
     for (std::size_t b = 0; b < balls.size(); ++b) {
-        if (static_cast<int>(b) != itself && may_reach_ball(settings, balls, b, mover)) return true;
+        const Body ball = body_of(balls[b], {});
+        if (static_cast<int>(b) != itself && may_reach(settings, ball, speed_of(settings, balls, b), mover))
+            return true;
     }
-    return std::ranges::any_of(solids, [&](const Solid& solid) { return may_reach_solid(settings, solid, mover); });
+    return std::ranges::any_of(solids, [&](const Solid& solid) {
+        return may_reach(settings, body_of(solid, {}), solid.velocity.norm(), mover);
+    });
 }
 
 /// First all of it at once, in a sphere about its box; then each particle, with what of the cells beside it is nearest
