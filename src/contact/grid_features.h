@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "drape/base/real.h"
-#include "drape/bounds/broad_phase.h"
 #include "drape/model/grid.h"
 
 namespace drape {

@@ -4,7 +4,6 @@
 
 #include "drape/base/memory_limit.h"
 #include "drape/bounds/node_view.h"
-#include "drape/contact/detection.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"

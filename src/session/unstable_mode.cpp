@@ -1,7 +1,6 @@
 #include "drape/session/unstable_mode.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "drape/base/exact_math.h"
