@@ -21,24 +21,6 @@ void ContactSearch::build_from(const Points& x) {
     queried_ = false;
 }
 
-Crossing ContactSearch::crossing(const MovingCloth& cloth, std::span<const Body> bodies, Real thickness) const {
-    const Real moved = largest_displacement(cloth.x, cloth.before, kernels_);
-    Crossing worst;
-    for (const Body& body : bodies) {
-        if (body.is_ground()) continue;
-        Real radius = body.radius;
-        if (body.solid != nullptr) {
-            const auto [low, high] = body.solid->shape->extent();
-            radius = (high - low).minCoeff() / 2;
-        }
-        const Crossing crossing{body.moved.norm() + moved, radius + thickness};
-        // The one that is farthest beyond where it becomes possible, or nearest to it
-        const bool first = worst.radius == 0;
-        if (first || 2 * crossing.distance - crossing.radius > 2 * worst.distance - worst.radius) worst = crossing;
-    }
-    return worst;
-}
-
 void ContactSearch::build(const MovingCloth& cloth, const ContactSettings& contact) {
     build_from(cloth.x);
     looks_back_ = contact.continuous != Continuous::Never;

@@ -5,6 +5,7 @@
 #include "body_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
+#include "drape/bounds/leaf_copies.h"
 #include "drape/contact/detection.h"
 
 namespace drape {
@@ -25,18 +26,32 @@ std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size
     return {begin, std::find_if_not(begin, rows.end(), is_its)};
 }
 
-/// Marks in the report that in a substep at a time, of length h [s], something may have passed through the cloth
-/// unseen.
-void mark_crossing(const Crossing& crossing, double time, Real h, StepReport& report) {
+/// Marks in the report that a ball or a solid may have passed through a cloth unseen within the substep, as far as its
+/// start and end tell: a ball of radius r that is outside must come as far as r before its centre is on the other side.
+/// Half of that counts. The radius of a solid is half the shortest side of its bounding box.
+void mark_crossing(const MovingCloth& cloth, std::span<const Body> bodies, const Settings& settings, const Substep& now,
+                   StepReport& report) {
     constexpr double calm = 0.5;  // s, between one danger and the next
-    if (!crossing.possible()) return;
-    TunnellingRisk& danger = report.crossing;
-    if (danger.starts == 0 || time > danger.last + calm) {
-        ++danger.starts;
-        danger.speed = static_cast<double>(crossing.distance / h);
-        danger.safe_speed = static_cast<double>(crossing.radius / (2 * h));
+    const Real moved = largest_displacement(cloth.x, cloth.before, settings.solver.kernels);
+    Real nearer = 0, radius = 0, beyond = 0;  // of what is farthest beyond where it becomes possible
+    for (const Body& body : bodies) {
+        if (body.is_ground()) continue;
+        Real own = body.radius;
+        if (body.solid != nullptr) {
+            const auto [low, high] = body.solid->shape->extent();
+            own = (high - low).minCoeff() / 2;
+        }
+        const Real distance = body.moved.norm() + moved, outer = own + settings.contact.thickness;
+        if (2 * distance - outer > beyond) nearer = distance, radius = outer, beyond = 2 * distance - outer;
     }
-    danger.last = time;
+    if (!(beyond > 0)) return;
+    TunnellingRisk& danger = report.crossing;
+    if (danger.starts == 0 || now.time > danger.last + calm) {
+        ++danger.starts;
+        danger.speed = static_cast<double>(nearer / now.h);
+        danger.safe_speed = static_cast<double>(radius / (2 * now.h));
+    }
+    danger.last = now.time;
 }
 
 }  // namespace
@@ -163,11 +178,10 @@ void ContactStage::build(StepReport& report) {
     const ContactSettings& contact = now_.settings->contact;
     Stopwatch watch;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
-        ContactSearch& search = cloths[c].search;
-        search.build(motion_of(c), contact);
-        if (contact.continuous != Continuous::Never) continue;
-        const Crossing crossing = search.crossing(motion_of(c), now_.bodies, contact.thickness);
-        mark_crossing(crossing, now_.time, now_.h, report);
+        cloths[c].search.build(motion_of(c), contact);
+        if (contact.continuous == Continuous::Never) {
+            mark_crossing(motion_of(c), now_.bodies, *now_.settings, now_, report);
+        }
     }
     report.times.build += watch.lap();
 }

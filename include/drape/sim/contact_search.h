@@ -11,15 +11,6 @@
 
 namespace drape {
 
-/// Whether a ball may get through the cloth in a substep, seen from its start and end alone: a ball of radius r that is
-/// outside must come as far as r before its centre is on the other side. Half of that counts. The same for a solid.
-struct Crossing {
-    Real distance = 0;  ///< by which it and cloth can have come nearer, at most [m]
-    Real radius = 0;    ///< of the ball, or half the shortest side of the solid's bounding box; with the thickness [m]
-
-    [[nodiscard]] bool possible() const { return 2 * distance > radius; }
-};
-
 /// Finds where one cloth touches the balls, stage by stage: build, traverse, narrow.
 class ContactSearch {
 public:
@@ -29,10 +20,6 @@ public:
 
     /// To be told whenever the positions have changed.
     void positions_changed() { built_from_present_ = false; }
-
-    /// Whether a ball may have passed unseen, or a solid, as of the last substep: asked where `contact.continuous` is
-    /// never.
-    [[nodiscard]] Crossing crossing(const MovingCloth& cloth, std::span<const Body> bodies, Real thickness) const;
 
     /// Builds the hierarchy for the end of a substep. What may meet within it is found from there by how far all moved,
     /// unless `contact.continuous` is never.
