@@ -22,9 +22,8 @@ bool has_deep_contact(const ContactProblem& problem) {
 ResponseReport respond_by_hybrid(ContactProblem& problem) {
     if (has_deep_contact(problem)) return respond_by_impulses(problem);
     const Sweeps impacts = solve_impacts(problem);
-    choose(problem, [&](const ContactRow& row, const RowState& state) {
-        return has_entered(row) && !is_impact(problem, state);
-    });
+    choose(problem,
+           [&](const ContactRow& row, const RowState& state) { return row.depth > 0 && !is_impact(problem, state); });
     const Sweeps rest = solve_penalties(problem);
     return {.residual = std::max(impacts.residual * problem.h, rest.residual), .sweeps = impacts.count + rest.count};
 }

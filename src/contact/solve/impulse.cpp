@@ -51,7 +51,7 @@ Sweeps solve_impacts(ContactProblem& problem) {
     });
     if (!any) return {};
     displace(problem, -1);
-    const Sweeps sweeps = solve(problem, Quantity::Velocity);
+    const Sweeps sweeps = solve(problem, problem.scratch.velocities);
     displace(problem, 1);
     return sweeps;
 }

@@ -90,13 +90,13 @@ Sweeps solve_penalties(ContactProblem& problem) {
     } else {
         push_by_displacements(problem);
     }
-    const Sweeps sweeps = solve_friction(problem, Quantity::Displacement);
-    const Sweeps more = solve_friction(problem, Quantity::Velocity);
+    const Sweeps sweeps = solve_friction(problem, problem.scratch.displacements);
+    const Sweeps more = solve_friction(problem, problem.scratch.velocities);
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 
 ResponseReport respond_by_penalties(ContactProblem& problem) {
-    choose(problem, [](const ContactRow& row, const RowState&) { return has_entered(row); });
+    choose(problem, [](const ContactRow& row, const RowState&) { return row.depth > 0; });
     const Sweeps sweeps = solve_penalties(problem);
     return {.residual = sweeps.residual, .sweeps = sweeps.count};
 }

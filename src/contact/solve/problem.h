@@ -94,9 +94,6 @@ struct ContactProblem {
     ContactSolver::Scratch& scratch;
 
     [[nodiscard]] RowState& state(std::size_t row) const { return scratch.states[row]; }
-    [[nodiscard]] ContactMotion& motion(Quantity quantity) const {
-        return quantity == Quantity::Displacement ? scratch.displacements : scratch.velocities;
-    }
     [[nodiscard]] Body& body(int number) const { return bodies[static_cast<std::size_t>(number)]; }
 
     /// An approach slower than this is resting, and does not bounce [m/s].

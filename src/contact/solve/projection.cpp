@@ -15,7 +15,7 @@ Real length_of_push(const ContactProblem& problem, const ContactRow& row) {
 
 /// Displaces until all contacts are out and hold.
 Sweeps project_positions(ContactProblem& problem) {
-    const ContactMotion& motion = problem.scratch.displacements;
+    ContactMotion& motion = problem.scratch.displacements;
     Sweeps all;
     for (int round = 0; round < max_rounds; ++round) {
         Real longest = 0;
@@ -27,7 +27,7 @@ Sweeps project_positions(ContactProblem& problem) {
                 longest = std::max(longest, length_of_push(problem, row));
                 state.active = state.inverse_mass > 0;
             });
-        const Sweeps sweeps = solve(problem, Quantity::Displacement);
+        const Sweeps sweeps = solve(problem, motion);
         all = {all.count + sweeps.count, sweeps.residual};
         if (longest <= short_push) break;
         for_each_row(problem, [&](ContactRow& row, RowState& state) { find_again(problem, row, state); });
@@ -43,7 +43,7 @@ ResponseReport respond_by_projection(ContactProblem& problem) {
     choose(problem, [](const ContactRow& row, const RowState&) {
         return row.displacement.normal > 0 || row.impulse.normal > 0;
     });
-    const Sweeps stopped = solve(problem, Quantity::Velocity);
+    const Sweeps stopped = solve(problem, problem.scratch.velocities);
     return {.residual = displaced.residual, .sweeps = displaced.count + stopped.count};
 }
 

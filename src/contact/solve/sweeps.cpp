@@ -46,8 +46,8 @@ Real solve_friction_of(const ContactProblem& problem, ContactMotion& motion, Con
                 {total.normal, friction_within(state, total, sliding, state.surface.friction * total.normal)});
 }
 
-Real tolerance_of(const ContactProblem& problem, Quantity quantity) {
-    const bool moves = quantity == Quantity::Displacement;
+Real tolerance_of(const ContactProblem& problem, const ContactMotion& motion) {
+    const bool moves = motion.quantity == Quantity::Displacement;
     Real of_pairs = thickness_tolerance * problem.parameters.pair_thickness;
     if (!moves) of_pairs = std::min(of_pairs, pair_velocity_tolerance * problem.h);
     bool has_pairs = false;
@@ -61,8 +61,8 @@ Real tolerance_of(const ContactProblem& problem, Quantity quantity) {
 
 /// Calls solve_one(row, state) for the chosen contacts, again and again.
 template <class SolveOne>
-Sweeps sweep_rows(ContactProblem& problem, Quantity quantity, SolveOne solve_one) {
-    return sweep_until(tolerance_of(problem, quantity), [&] {
+Sweeps sweep_rows(ContactProblem& problem, const ContactMotion& motion, SolveOne solve_one) {
+    return sweep_until(tolerance_of(problem, motion), [&] {
         Real square = 0;
         for_each_chosen(problem,
                         [&](ContactRow& row, RowState& state) { square = std::max(square, solve_one(row, state)); });
@@ -72,19 +72,17 @@ Sweeps sweep_rows(ContactProblem& problem, Quantity quantity, SolveOne solve_one
 
 }  // namespace
 
-Sweeps solve(ContactProblem& problem, Quantity quantity) {
-    ContactMotion& motion = problem.motion(quantity);
-    if (!problem.scratch.order.empty()) return solve_compact(problem, motion, tolerance_of(problem, quantity));
+Sweeps solve(ContactProblem& problem, ContactMotion& motion) {
+    if (!problem.scratch.order.empty()) return solve_compact(problem, motion, tolerance_of(problem, motion));
     // Flat, because GCC would call a function for each sum of three numbers
     return sweep_rows(
-        problem, quantity, [&](ContactRow & row, RowState & state) __attribute__((flatten)) {
+        problem, motion, [&](ContactRow & row, RowState & state) __attribute__((flatten)) {
             return solve_row(problem, motion, row, state);
         });
 }
 
-Sweeps solve_friction(ContactProblem& problem, Quantity quantity) {
-    ContactMotion& motion = problem.motion(quantity);
-    return sweep_rows(problem, quantity,
+Sweeps solve_friction(ContactProblem& problem, ContactMotion& motion) {
+    return sweep_rows(problem, motion,
                       [&](ContactRow& row, RowState& state) { return solve_friction_of(problem, motion, row, state); });
 }
 

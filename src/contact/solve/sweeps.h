@@ -34,18 +34,15 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
 /// displacements, a small part of what gravity moves a particle by within a step or, if more, of the thickness between
 /// cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but between cloths no
 /// more than what is seen as rest.
-[[nodiscard]] Sweeps solve(ContactProblem& problem, Quantity quantity);
+[[nodiscard]] Sweeps solve(ContactProblem& problem, ContactMotion& motion);
 
 /// The same where impulses along the normals are fixed: friction alone.
-[[nodiscard]] Sweeps solve_friction(ContactProblem& problem, Quantity quantity);
+[[nodiscard]] Sweeps solve_friction(ContactProblem& problem, ContactMotion& motion);
 
 /// Gives impulses to the contacts that are impacts.
 Sweeps solve_impacts(ContactProblem& problem);
 
-/// A contact that penalties answer: it has entered.
-inline bool has_entered(const ContactRow& row) { return row.depth > 0; }
-
-/// Pushes by springs and dampers at the chosen contacts.
+/// Pushes by springs and dampers at the chosen contacts, which have entered.
 Sweeps solve_penalties(ContactProblem& problem);
 
 /// Orders the rows so that neighbours share no particle where that can be, and have equally many: a processor then
