@@ -3,8 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "drape/model/jacobian.h"
 
@@ -130,6 +133,165 @@ private:
     const ClothModel& model_;
     Jacobian jacobian_;
     Points y_, r_, p_, ay_, ar_, ap_;
+};
+
+/// The shortest of the steps up to which the vibrations of a cloth stay bounded.
+struct LeastLimit {
+    double stiffness = 0;  ///< k of the vibration that it is the limit of [1/s^2]
+    double damping = 0;    ///< its d [1/s]
+    double step = 0;       ///< [s]
+    bool attained = true;  ///< a vibration with these k and d was found; else none has a shorter limit, that is all
+    Points shape = {};     ///< of the vibration with the shortest limit that was found, as `Mode::shape`; may be empty
+};
+
+/// Finds the least value of a function of k and d over all vibrations of a cloth.
+///
+/// The pairs (k, d) of all vibrations, complex ones included, fill a convex set: the numerical range of K and D. Each
+/// search for the largest a k + b d gives a line that this set lies behind, and a point at which it touches it. The
+/// lines enclose the set from outside, the points span it from within. Where the least value outside is well below
+/// that within, a search across the chord of the two neighbouring points cuts that corner off: both polygons close in
+/// on each other quadratically.
+/// @cite johnson1978
+class LimitSearch {
+public:
+    /// @param search for the cloth at its state
+    /// @param least_damping no vibration has less [1/s]
+    /// @param longest the step of a vibration, by its k and d; it falls as both grow by s^2 and s
+    LimitSearch(ModeSearch& search, double least_damping, std::function<double(double, double)> longest)
+        : search_(search), longest_(std::move(longest)) {
+        search.maximise(1, 0, turns);
+        const Mode stiffest = search.mode();
+        search.maximise(0, 1, turns);
+        const Mode most_damped = search.mode();
+        const auto unit = [](Real a, Real b) { return a > 0 || b > 0 ? static_cast<double>(std::max(a, b)) : 1.0; };
+        stiffness_unit_ = unit(stiffest.stiffness, most_damped.stiffness);
+        damping_unit_ = unit(stiffest.damping, most_damped.damping);
+
+        // Two sides are known beforehand, and stand near this corner
+        const Pair softest{0, least_damping / damping_unit_};
+        sides_ = {{0, -1, -softest.d, softest}, {1, 0, 0, {}}, {0, 1, 0, {}}, {-1, 0, 0, softest}};
+        add(stiffest, 1);
+        add(most_damped, 2);
+    }
+
+    /// @param decides whether the limit of a vibration is that of the cloth
+    LeastLimit find(const std::function<bool(const Mode&)>& decides) {
+        constexpr int most_cuts = 12;
+        constexpr double precision = 5e-4;
+        Least outside;
+        for (int cuts = 0;; ++cuts) {
+            Least within;
+            outside = {};
+            measure(outside, within);
+            if (outside.value >= (1 - precision) * within.value || cuts == most_cuts || !cut(outside.side)) break;
+        }
+
+        // A vibration that itself has as short a limit decides
+        LeastLimit best{.step = std::numeric_limits<double>::infinity()};
+        bool attained = false;
+        for (const Mode& mode : found_) {
+            const auto k = static_cast<double>(mode.stiffness), d = static_cast<double>(mode.damping);
+            const double step = longest_(k, d);
+            if (!(step < best.step)) continue;
+            best = {k, d, step, true, mode.shape};
+            attained = decides(mode);
+        }
+        if (attained && outside.value >= (1 - 2 * precision) * best.step) return best;
+        return {outside.at.k * stiffness_unit_, outside.at.d * damping_unit_, outside.value, false,
+                std::move(best.shape)};
+    }
+
+private:
+    static constexpr int turns = 200;
+
+    /// k and d, in units of the largest of each.
+    struct Pair {
+        double k = 0, d = 0;
+    };
+
+    /// A line that no pair lies beyond: a k + b d <= height.
+    struct Side {
+        double a, b;
+        double height;
+        Pair touch;  ///< where the set reaches it, or nearly
+
+        [[nodiscard]] double of(const Pair& p) const { return a * p.k + b * p.d; }
+    };
+
+    /// The least of some values, and where it is.
+    struct Least {
+        double value = std::numeric_limits<double>::infinity();
+        Pair at = {};
+        std::size_t side = 0;  ///< the corner is that of this side and the next
+
+        void note(double other, const Pair& p, std::size_t number) {
+            if (other < value) *this = {other, p, number};
+        }
+    };
+
+    static Pair between(const Pair& p, const Pair& q, double s) {
+        return {p.k + s * (q.k - p.k), p.d + s * (q.d - p.d)};
+    }
+
+    /// Where two sides meet.
+    static Pair corner(const Side& p, const Side& q) {
+        const double area = p.a * q.b - p.b * q.a;
+        if (!(area > 1e-12)) return p.touch;  // one side, found twice
+        return {(p.height * q.b - q.height * p.b) / area, (p.a * q.height - q.a * p.height) / area};
+    }
+
+    /// The least value on the polygon outside and on that within.
+    void measure(Least& outside, Least& within) const {
+        constexpr int samples = 4;
+        for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
+            const Pair from = sides_[i].touch, to = sides_[i + 1].touch, tip = corner(sides_[i], sides_[i + 1]);
+            for (int n = 0; n <= samples; ++n) {
+                const double s = static_cast<double>(n) / samples;
+                for (const Pair& p : {between(from, tip, s), between(to, tip, s)}) outside.note(limit_of(p), p, i);
+                for (const Pair& p : {between(from, to, s / 2), between(to, from, s / 2)}) {
+                    within.note(limit_of(p), p, i);
+                }
+            }
+        }
+    }
+
+    /// Cuts a corner off.
+    /// @return false if there is nothing to cut
+    bool cut(std::size_t number) {
+        const Pair from = sides_[number].touch, to = sides_[number + 1].touch;
+        const double a = to.d - from.d, b = from.k - to.k, size = std::abs(a) + std::abs(b);
+        if (!(size > 1e-9)) return false;
+        search_.maximise(static_cast<Real>(a / (size * stiffness_unit_)), static_cast<Real>(b / (size * damping_unit_)),
+                         turns);
+        const auto place = sides_.begin() + static_cast<std::ptrdiff_t>(number) + 1;
+        sides_.insert(place, Side{a / size, b / size, -std::numeric_limits<double>::infinity(), {}});
+        add(search_.mode(), number + 1);
+        return true;
+    }
+
+    [[nodiscard]] Pair pair_of(const Mode& mode) const {
+        return {static_cast<double>(mode.stiffness) / stiffness_unit_,
+                static_cast<double>(mode.damping) / damping_unit_};
+    }
+    [[nodiscard]] double limit_of(const Pair& p) const {
+        return longest_(std::max(p.k, 0.0) * stiffness_unit_, std::max(p.d, 0.0) * damping_unit_);
+    }
+
+    /// Takes a vibration for that at which the set reaches a side. A search may have ended a little early: what another
+    /// one has found moves the side out.
+    void add(const Mode& mode, std::size_t number) {
+        found_.push_back(mode);
+        sides_[number].touch = pair_of(mode);
+        for (Side& side : sides_) {
+            for (const Mode& known : found_) side.height = std::max(side.height, side.of(pair_of(known)));
+        }
+    }
+
+    ModeSearch& search_;
+    std::function<double(double, double)> longest_;
+    double stiffness_unit_ = 1, damping_unit_ = 1;
+    std::vector<Side> sides_;  ///< counter-clockwise, from that of the least damping to that of no stiffness
+    std::vector<Mode> found_;
 };
 
 }  // namespace drape

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "drape/model/forces.h"
-#include "least_limit.h"
+#include "mode_search.h"
 
 namespace drape {
 namespace {
