@@ -1,7 +1,8 @@
 #include "drape/scene/settings.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "drape/bounds/fold_test.h"
 
 namespace drape {
 
@@ -26,7 +27,7 @@ Real pair_thickness_of(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Real hx = cloth.width / static_cast<Real>(cloth.particles.nx - 1);
         const Real hy = cloth.height / static_cast<Real>(cloth.particles.ny - 1);
-        thickness = std::min(thickness, hx * hy / std::sqrt(hx * hx + hy * hy) / 2);
+        thickness = std::min(thickness, apart_at_rest(hx, hy) / 2);
     }
     return thickness;
 }

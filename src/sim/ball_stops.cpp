@@ -35,7 +35,7 @@ void take_back(const Vec3& normal, Real length, Ball& ball) {
 
 /// Whether a contact is one of a ball with cloth that has a stretch limit; without one, it always gives way.
 bool may_stop(const BallStops& stops, int number, const ContactRow& row) {
-    return row.is_of_cloth() && row.body == number &&
+    return row.kind != RowKind::Bodies && row.body == number &&
            stops.cloths[static_cast<std::size_t>(row.particles[0].cloth)].model.stretch_limit > 0;
 }
 

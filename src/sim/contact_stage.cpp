@@ -238,7 +238,7 @@ void ContactStage::audit_response(StepReport& report) {
     }
 }
 
-ResponseReport ContactStage::solve(StepReport& report) {
+void ContactStage::solve(StepReport& report) {
     go_on(Stage::Found, Stage::Solved);
     Stopwatch watch;
     before_pushes(rows_, false);
@@ -249,7 +249,6 @@ ResponseReport ContactStage::solve(StepReport& report) {
     report.contact_residual = std::max(report.contact_residual, static_cast<double>(left.residual));
     report.contact_sweeps += left.sweeps;
     report.times.respond += watch.lap();
-    return left;
 }
 
 bool ContactStage::would_cross() {

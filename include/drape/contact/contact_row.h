@@ -54,7 +54,6 @@ struct ContactRow {
     RowImpulse displacement, impulse;  ///< within the substep
 
     [[nodiscard]] std::span<const RowParticle> moved() const { return std::span(particles).first(count); }
-    [[nodiscard]] bool is_of_cloth() const { return kind != RowKind::Bodies; }
     [[nodiscard]] bool has_impulse() const { return displacement.normal != 0 || impulse.normal != 0; }
 
     /// The point of the first side, where it is cloth.

@@ -68,7 +68,7 @@ public:
     void audit_response(StepReport& report);
 
     /// Gives what the contacts need, and enters the work of it.
-    ResponseReport solve(StepReport& report);
+    void solve(StepReport& report);
 
     /// Whether features of cloths would cross within the substep all the same.
     [[nodiscard]] bool would_cross();

@@ -5,8 +5,7 @@
 
 namespace drape {
 
-/// What has come to a cloth's mechanical energy and gone from it [J]: it has changed by
-/// wind + hand + pins + ball - damping - drag - contact - failsafe - integrator.
+/// What has come to a cloth's mechanical energy and gone from it [J], see `change`.
 struct EnergyBalance {
     double wind = 0;        ///< given by the wind
     double hand = 0;        ///< given by whoever drags the cloth, or changes what it is made of
