@@ -28,15 +28,6 @@ void for_each_particle_of(const Grid& grid, int column, int row, Visit visit) {
     if (last_column && last_row) visit(a + grid.nx + 1);
 }
 
-/// The corners that a triangle is the owner of, a bit each.
-/// @param row of its cell
-inline unsigned owned_corners(const Grid& grid, int triangle, int row) {
-    // Of corners a, c, b or b, c, d: a cell's first triangle has a, and at the end of a row or column of cells, b or c
-    const bool last_row = row == grid.ny - 2, last_column = triangle / 2 + 1 == (row + 1) * grid.cell_columns();
-    if (triangle % 2 != 0) return last_row && last_column ? 0b100u : 0u;
-    return 0b001u | (last_row ? 0b010u : 0u) | (last_column ? 0b100u : 0u);
-}
-
 /// Whether two triangles share the edge opposite to corner k of the first, and the other one is to report it.
 inline bool other_reports_edge(const Grid& grid, int triangle, std::size_t k) {
     // Corners a, c, b and b, c, d: the diagonal b-c is opposite to a and to d and is reported by the first triangle of

@@ -141,9 +141,8 @@ struct BodyContacts {
         const Real limit = body.thickness + body.reach;
         const auto nearest = near.nearest(triangle, limit);
         if (!nearest) return false;
-        const unsigned owned = owned_corners(grid, number, number / 2 / grid.cell_columns());
         for (const std::size_t k : corners_ascending) {
-            if ((owned >> k & 1u) == 0) continue;
+            if (owner_of(grid, triangle.particles[k]) != number) continue;
             const auto corner = near.at_corner(triangle, k, limit);
             if (!corner) continue;
             add(with_plane(make_row<1>(cloth, number, {triangle.particles[k]}, {1}, body.number), triangle.corners[k],

@@ -19,8 +19,7 @@ std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real
     };
     const auto is_true = [&](const StoppedNode& node) {
         return std::ranges::any_of(triangles_, [&](int triangle) {
-            const int i = triangle / 2 % grid_.cell_columns(), j = triangle / 2 / grid_.cell_columns();
-            return i >= node.i0 && i < node.i1 && j >= node.j0 && j < node.j1;
+            return node.holds(triangle / 2 % grid_.cell_columns(), triangle / 2 / grid_.cell_columns());
         });
     };
     return std::ranges::count_if(nodes, [&](const StoppedNode& node) { return touches(node) && !is_true(node); });
