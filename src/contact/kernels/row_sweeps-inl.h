@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/solve/sweeps.h"
+#include "contact/solve/problem.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-#include "sweeps.h"
+#include "problem.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "sweeps.h"
+#include "problem.h"
 
 // The penalty-impulse hybrid: an impulse where two sides meet faster than gravity alone brings them together within a
 // few steps, a penalty where they rest. @cite constantinescu2005 Where something comes deep into a ball, impulses

@@ -1,4 +1,4 @@
-#include "sweeps.h"
+#include "problem.h"
 
 // One impulse per impact changes velocities at its time, and moves positions by that change over the rest of the
 // substep @cite mirtich1995. What is still inside after that, and what rests, is projected: impulses that put back what

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "mobility.h"
-#include "sweeps.h"
 
 namespace drape {
 namespace {

@@ -1,4 +1,4 @@
-#include "sweeps.h"
+#include "problem.h"
 
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
