@@ -62,13 +62,8 @@ Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
 }
 
 Ball make_ball(const BallSettings& settings, double time, const Ball* start) {
-    Ball ball{.centre = settings.position, .radius = settings.radius, .velocity = settings.velocity};
-    if (start != nullptr) {
-        ball.centre = start->centre;
-        ball.velocity = start->velocity;
-        ball.spin = start->spin;
-        ball.orientation = start->orientation;
-    }
+    Ball ball = start != nullptr ? *start : Ball{.centre = settings.position, .velocity = settings.velocity};
+    ball.radius = settings.radius;
     ball.inverse_mass = inverse_mass_of(settings);
     if (settings.motion == BallMotion::Path) ball.centre = point_on_path(settings.path, static_cast<Real>(time));
     return ball;

@@ -78,18 +78,6 @@ TraversalStats ContactSearch::meet(const MovingCloth& cloth, const Body& body, i
     return stats;
 }
 
-std::int64_t ContactSearch::false_contacts(const Points& x, std::span<const Ball> balls, Real thickness) {
-    std::int64_t count = 0;
-    for (std::size_t b = 0; audit_ && b < balls.size(); ++b) {
-        count += audit_->false_contacts(x, balls[b], thickness, candidates_[b].stopped);
-    }
-    return count;
-}
-
-Real ContactSearch::missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness) {
-    return audit_ ? audit_->penetration(x, balls, thickness) : 0;
-}
-
 void ContactSearch::show(const Points& x, std::span<const Ball> balls, Real thickness) {
     if (!built_from_present_) build_from(x);
     if (queried_) return;

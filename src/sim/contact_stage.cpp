@@ -223,17 +223,22 @@ void ContactStage::narrow(StepReport& report) {
 
 void ContactStage::audit_search(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Found);
+    const std::span<const Ball> balls = now_.moving.balls;
     for (Cloth& cloth : now_.moving.cloths) {
-        report.false_contacts +=
-            cloth.search.false_contacts(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
+        SearchAudit* const audit = cloth.search.audit();
+        for (std::size_t b = 0; audit != nullptr && b < balls.size(); ++b) {
+            report.false_contacts += audit->false_contacts(cloth.state.x, balls[b], now_.settings->contact.thickness,
+                                                           cloth.search.candidates(b).stopped);
+        }
     }
 }
 
 void ContactStage::audit_response(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Solved);
     for (Cloth& cloth : now_.moving.cloths) {
-        const Real missed =
-            cloth.search.missed_penetration(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
+        SearchAudit* const audit = cloth.search.audit();
+        if (audit == nullptr) continue;
+        const Real missed = audit->penetration(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
         report.missed_penetration = std::max(report.missed_penetration, static_cast<double>(missed));
     }
 }

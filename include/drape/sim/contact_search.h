@@ -52,11 +52,8 @@ public:
     TraversalStats meet(const MovingCloth& cloth, const Body& body, int number, Real thickness,
                         std::vector<ContactRow>& rows);
 
-    /// What a limited search invents and what it lets through, by testing every cell; nothing for any other search.
-    /// @return contacts of nodes in which no triangle touches
-    std::int64_t false_contacts(const Points& x, std::span<const Ball> balls, Real thickness);
-    /// @return largest depth of any triangle [m]
-    Real missed_penetration(const Points& x, std::span<const Ball> balls, Real thickness);
+    /// Tells what a limited search invents and what it lets through, by testing every cell; null for any other search.
+    [[nodiscard]] SearchAudit* audit() { return audit_ ? &*audit_ : nullptr; }
 
     /// Makes the hierarchy fit to be drawn: as the last step searched it, or, where that did not, built from the
     /// present positions; its nodes marked by what the queries do to them. No contact depends on it.
