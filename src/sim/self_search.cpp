@@ -108,22 +108,28 @@ template <class Count>
 std::int64_t SelfSearch::count_between(std::span<const ClothInContact> cloths, Real reach, Count count) {
     forget();
     reaches_ = reach;
-    std::vector<BoxedCloth> boxed;
     for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const int number = static_cast<int>(c);
-        const ClothAt cloth = at(cloths, number);
-        surfaces_[c].tree->build(cloth.x);
-        surfaces_[c].boxes.build(cloth.grid, cloth.x, of_cloth(reaches_, number));
-        boxed.push_back({cloth, surfaces_[c].boxes, of_cloth(reaches_, number)});
+        surfaces_[c].tree->build(cloths[c].before);
+        surfaces_[c].boxed = false;
     }
     std::int64_t sum = 0;
     for (std::size_t first = 0; first < cloths.size(); ++first) {
         for (std::size_t second = first; second < cloths.size(); ++second) {
             surfaces_[first].tree->query(*surfaces_[second].tree, 2 * reach, nullptr, leaves_);
-            sum += count(boxed[first], boxed[second]);
+            sum += count(boxed(cloths, first, reaches_), boxed(cloths, second, reaches_));
         }
     }
     return sum;
+}
+
+/// Boxes are built where anything comes near at all.
+BoxedCloth SelfSearch::boxed(std::span<const ClothInContact> cloths, std::size_t number, const Numbers& reaches) {
+    Surface& surface = surfaces_[number];
+    const ClothAt cloth = at(cloths, static_cast<int>(number));
+    const std::span<const Real> own = of_cloth(reaches, cloth.number);
+    if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, own);
+    surface.boxed = true;
+    return {cloth, surface.boxes, own};
 }
 
 std::int64_t SelfSearch::count_coincident(std::span<const ClothInContact> cloths) {
@@ -306,30 +312,20 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths) {
     }
     kept_mean_ = mean_;
     list_.clear();
-    const int count = static_cast<int>(cloths.size());
-    for (int first = 0; first < count; ++first) {
-        for (int second = first; second < count; ++second) search(cloths, first, second);
+    for (std::size_t first = 0; first < cloths.size(); ++first) {
+        for (std::size_t second = first; second < cloths.size(); ++second) search(cloths, first, second);
     }
     list_.close();
     listed_ = true;
 }
 
-/// Boxes are built where anything comes near at all.
-void SelfSearch::search(std::span<const ClothInContact> cloths, int first, int second) {
-    const auto box = [&](int number) {
-        Surface& surface = surfaces_[static_cast<std::size_t>(number)];
-        const ClothAt cloth = at(cloths, number);
-        const std::span<const Real> reaches = allowances(number);
-        if (!surface.boxed) surface.boxes.build(cloth.grid, cloth.x, reaches);
-        surface.boxed = true;
-        return BoxedCloth{cloth, surface.boxes, reaches};
-    };
-    const auto largest = [&](int number) { return std::ranges::max(allowances(number)); };
-    const Surface &one = surfaces_[static_cast<std::size_t>(first)], &two = surfaces_[static_cast<std::size_t>(second)];
+void SelfSearch::search(std::span<const ClothInContact> cloths, std::size_t first, std::size_t second) {
+    const auto largest = [&](std::size_t number) { return std::ranges::max(allowances(static_cast<int>(number))); };
+    const Surface &one = surfaces_[first], &two = surfaces_[second];
     const Real margin = largest(first) + largest(second);
     report_.traversal += one.tree->query(*two.tree, margin, first == second ? &one.folds : nullptr, leaves_);
     if (leaves_.empty()) return;
-    const BoxedCloth at_one = box(first), at_two = box(second);
+    const BoxedCloth at_one = boxed(cloths, first, allowance_), at_two = boxed(cloths, second, allowance_);
     const std::span<const LeafPair> leaves(leaves_);
     for (std::size_t k = 0; k < leaves.size() && !report_.gave_up; k += leaves_at_once) {
         list_.add(at_one, at_two, leaves.subspan(k, std::min(leaves_at_once, leaves.size() - k)));

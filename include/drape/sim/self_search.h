@@ -116,7 +116,8 @@ private:
     void look_at_pairs(std::span<const ClothInContact> cloths);
     void renew_list(std::span<const ClothInContact> cloths, Real factor);
     void make_list(std::span<const ClothInContact> cloths);
-    void search(std::span<const ClothInContact> cloths, int first, int second);
+    BoxedCloth boxed(std::span<const ClothInContact> cloths, std::size_t number, const Numbers& reaches);
+    void search(std::span<const ClothInContact> cloths, std::size_t first, std::size_t second);
     [[nodiscard]] Real sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const;
     [[nodiscard]] std::span<const Real> of_cloth(const Numbers& of_particles, int cloth) const;
 
