@@ -9,7 +9,6 @@
 #include "drape/base/assert.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/stencils.h"
-#include "inertial_guess.h"
 #include "krylov.h"
 #include "spring_passes.h"
 

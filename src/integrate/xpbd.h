@@ -1,7 +1,6 @@
 #pragma once
 
 #include "drape/integrate/integrator.h"
-#include "inertial_guess.h"
 #include "spring_passes.h"
 
 namespace drape {

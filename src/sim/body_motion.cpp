@@ -42,7 +42,20 @@ std::shared_ptr<const SolidShape> shape_of(const SolidSettings& settings) {
     return nullptr;
 }
 
+/// The air with gusts on the mean wind, of their amplitude times a number in [-1, 1].
+Air air_in_gusts(const WindSettings& wind, double gusts) {
+    constexpr Real air_density = Real(1.225);  // kg/m^3, at 15 degrees Celsius and sea level (ISO 2533)
+    if (!wind.on) return {};
+    return {wind.velocity * (1 + wind.gust * static_cast<Real>(gusts)), air_density};
+}
+
 }  // namespace
+
+Air air_at(const WindSettings& wind, double time) {
+    return air_in_gusts(wind, (sine(2.1 * time) + sine(5.3 * time + 1.3)) / 2);
+}
+
+Air strongest_air(const WindSettings& wind) { return air_in_gusts(wind, 1); }
 
 Vec3 point_on_path(const std::vector<PathPoint>& path, Real time) {
     DRAPE_ASSERT(path.size() >= 2 && std::ranges::is_sorted(path, {}, &PathPoint::time));

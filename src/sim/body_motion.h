@@ -45,6 +45,12 @@ void move_solid(const SolidSettings& settings, Real time, Real h, Solid& solid);
 /// @param axis of length 1
 Eigen::Quaternion<Real> turn_about(const Vec3& axis, double turns);
 
+/// The air at a time [s]: the mean wind with two gusts of incommensurate frequency on it. It depends on time alone.
+Air air_at(const WindSettings& wind, double time);
+
+/// The fastest that it can get.
+Air strongest_air(const WindSettings& wind);
+
 /// Where a path leads at a time: a smooth curve through its points. It rests at its last point, or repeats if that is
 /// its first one again.
 /// @pre at least two points, times ascending

@@ -7,7 +7,6 @@
 #include "drape/base/stopwatch.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/memory.h"
-#include "gusts.h"
 
 namespace drape {
 

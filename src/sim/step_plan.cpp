@@ -9,7 +9,6 @@
 #include "drape/integrate/stability.h"
 #include "drape/scene/setting_table.h"
 #include "drape/sim/simulation.h"
-#include "gusts.h"
 
 namespace drape {
 namespace {
