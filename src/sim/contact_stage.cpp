@@ -105,14 +105,6 @@ MovingCloth ContactStage::motion_of(std::size_t cloth) const {
     return {moving.model.grid, now_.cloths[cloth].before, moving.state.x, static_cast<int>(cloth)};
 }
 
-void ContactStage::make_bodies() {
-    const Surface& surface = now_.settings->contact;
-    now_.bodies.clear();
-    for (const Ball& ball : now_.moving.balls) now_.bodies.push_back(body_of(ball, surface));
-    for (const Solid& solid : now_.moving.solids) now_.bodies.push_back(body_of(solid, surface));
-    if (now_.settings->ground.solid) now_.bodies.push_back(body_of(now_.settings->ground));
-}
-
 void ContactStage::move_balls() {
     for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) now_.moving.balls[b] = now_.bodies[b];
 }
@@ -128,7 +120,10 @@ void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, 
         if (now.divided) cloth.before = cloth.state.x;
         now_.cloths.push_back({cloth.model, now.divided ? cloth.before : cloth.previous.x, cloth.state});
     }
-    make_bodies();
+    now_.bodies.clear();
+    for (const Ball& ball : bodies.balls) now_.bodies.push_back(body_of(ball, settings.contact));
+    for (const Solid& solid : bodies.solids) now_.bodies.push_back(body_of(solid, settings.contact));
+    if (settings.ground.solid) now_.bodies.push_back(body_of(settings.ground));
     warm_start_.take(now_.response, now.h, gravity_of(settings).norm(), now_.cloths, now_.bodies, rows_);
 }
 

@@ -212,8 +212,6 @@ bool SelfSearch::is_too_far() const {
     return !(pairs_a_square * squares <= max_pairs * static_cast<Real>(first_.back()));
 }
 
-bool SelfSearch::is_too_long(std::size_t list) const { return list > max_pairs * first_.back(); }
-
 /// Of the particles of both features, the largest numbers together.
 Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_particles) const {
     const auto& [cloths, count, p] = pair;
@@ -329,7 +327,7 @@ void SelfSearch::search(std::span<const ClothInContact> cloths, std::size_t firs
     const std::span<const LeafPair> leaves(leaves_);
     for (std::size_t k = 0; k < leaves.size() && !report_.gave_up; k += leaves_at_once) {
         list_.add(at_one, at_two, leaves.subspan(k, std::min(leaves_at_once, leaves.size() - k)));
-        report_.gave_up = is_too_long(list_.size());
+        report_.gave_up = list_.size() > max_pairs * first_.back();
     }
 }
 

@@ -111,7 +111,6 @@ private:
     };
 
     void go_on(Stage from, Stage to);
-    void make_bodies();
     void move_balls();
     [[nodiscard]] MovingCloth motion_of(std::size_t cloth) const;
     void build(StepReport& report);

@@ -112,7 +112,6 @@ private:
     [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);
     [[nodiscard]] bool is_too_far() const;
-    [[nodiscard]] bool is_too_long(std::size_t list) const;
     void look_at_pairs(std::span<const ClothInContact> cloths);
     void renew_list(std::span<const ClothInContact> cloths, Real factor);
     void make_list(std::span<const ClothInContact> cloths);
