@@ -84,11 +84,6 @@ double penalty_limit(const Settings& settings, const ClothModel& model) {
                                                   displacement_factor(settings.solver.integrator)));
 }
 
-/// Whether a step is longer than its substeps would be in contact.
-bool is_divided_in_contact(const Settings& settings) {
-    return !has_step_limit(settings.solver.integrator) && settings.solver.dt > settings.contact.longest_step;
-}
-
 /// How far two bodies can approach each other in an undivided step.
 /// @param speed of both together [m/s]
 Real displacement_within_step(const Settings& settings, Real speed) {
@@ -212,7 +207,9 @@ int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, s
 /// @par Cost O(particles x (balls + solids)); none for other methods and responses
 bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
                std::span<const Solid> solids) {
-    if (!is_divided_in_contact(settings) || !pushes_by_penalty(settings)) return false;
+    const SolverSettings& solver = settings.solver;
+    const bool divides = !has_step_limit(solver.integrator) && solver.dt > settings.contact.longest_step;
+    if (!divides || !pushes_by_penalty(settings)) return false;
     for (const Cloth& cloth : cloths) {
         if (may_reach(settings, cloth, balls, solids)) return true;
     }

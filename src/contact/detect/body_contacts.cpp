@@ -19,8 +19,7 @@ struct NextTo {
     Real height;  ///< along the normal [m]
 };
 
-NextTo surface_next_to(const Body& body, const Vec3& centre) {
-    const SurfaceDistance surface = body.measure(centre);
+NextTo next_to(const SurfaceDistance& surface, const Vec3& centre) {
     return {surface.normal, surface.normal.dot(centre) - surface.distance};
 }
 
@@ -36,12 +35,12 @@ std::optional<NextTo> first_plane(const Body& body, const Vec3& from, const Vec3
         return {surface.distance, t + (surface.distance - radius - touch_distance / 2) / length};
     };
     if (!first_time(measure, radius + touch_distance)) return std::nullopt;
-    return NextTo{surface.normal, surface.normal.dot(centre) - surface.distance};
+    return next_to(surface, centre);
 }
 
 /// The plane that holds a ball within the substep: that at its end, or where it has met the body.
 std::optional<NextTo> plane_for(const Body& body, const Vec3& from, const Vec3& to, Real radius) {
-    const NextTo at_end = surface_next_to(body, to);
+    const NextTo at_end = next_to(body.measure(to), to);
     const bool touches = at_end.normal.dot(to) - at_end.height < radius;
     const auto met = first_plane(body, from, to, radius);
     const bool has_passed = met && met->normal.dot(to) - met->height < radius;

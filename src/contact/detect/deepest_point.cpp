@@ -22,10 +22,6 @@ Real slope_gap(const DeepestPoint& at, const Corners& corners) {
     return gap;
 }
 
-Vec3 point_at(const Corners& corners, const std::array<Real, 3>& weights) {
-    return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-}
-
 DeepestPoint lowest_corner(const Corners& corners, const std::array<SurfaceDistance, 3>& at_corners) {
     const auto lowest = std::ranges::min_element(at_corners, {}, &SurfaceDistance::distance);
     const auto k = static_cast<std::size_t>(lowest - at_corners.begin());
@@ -68,7 +64,7 @@ struct Descent {
     DeepestPoint best;
 
     void take(const std::array<Real, 3>& weights) {
-        const Vec3 point = point_at(corners, weights);
+        const Vec3 point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
         const Real farthest = std::abs(best.surface.distance) + (point - best.point).norm();
         const SurfaceDistance surface = solid.measure_near(point, farthest);
         if (surface.distance < best.surface.distance) best = {weights, point, surface};

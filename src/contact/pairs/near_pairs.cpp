@@ -23,12 +23,6 @@ Real reach_of(std::span<const Real> reaches, Particles... particles) {
     return std::max({reaches[static_cast<std::size_t>(particles)]...});
 }
 
-Aabb grown(Aabb box, Real by) {
-    box.low.array() -= by;
-    box.high.array() += by;
-    return box;
-}
-
 /// The particles and the edges that belong to a cell and reach a box.
 class CellFeatures {
 public:
@@ -185,8 +179,10 @@ void CellBoxes::build(const Grid& grid, const Points& x, std::span<const Real> r
         const int a = grid.cell_corner(cell), b = a + 1, c = a + grid.nx, d = c + 1;
         Aabb box{position(x, a), position(x, a)};
         for (const int p : {b, c, d}) box.include(position(x, p));
-        const auto k = static_cast<std::size_t>(cell);
-        boxes_[k] = reaches.empty() ? box : grown(box, reach_of(reaches, a, b, c, d));
+        const Real reach = reaches.empty() ? Real(0) : reach_of(reaches, a, b, c, d);
+        box.low.array() -= reach;
+        box.high.array() += reach;
+        boxes_[static_cast<std::size_t>(cell)] = box;
     }
 }
 
