@@ -105,10 +105,6 @@ MovingCloth ContactStage::motion_of(std::size_t cloth) const {
     return {moving.model.grid, now_.cloths[cloth].before, moving.state.x, static_cast<int>(cloth)};
 }
 
-void ContactStage::move_balls() {
-    for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) now_.moving.balls[b] = now_.bodies[b];
-}
-
 void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, const Substep& now) {
     stage_ = Stage::Begun;
     static_cast<Substep&>(now_) = now;
@@ -131,25 +127,27 @@ void ContactStage::warm_start() {
     go_on(Stage::Begun, Stage::WarmStarted);
     const std::span<const ContactRow> rows = warm_start_.rows();
     if (std::ranges::none_of(rows, &ContactRow::has_impulse)) return;
-    const double balls_before = kinetic_energy(now_.bodies);
-    before_pushes(rows, true);
-    warm_start_.give(now_.cloths, now_.bodies);
-    move_balls();
-    after_pushes(rows, true, balls_before - kinetic_energy(now_.bodies));
+    push(rows, true, [this] {
+        const double balls_before = kinetic_energy(now_.bodies);
+        warm_start_.give(now_.cloths, now_.bodies);
+        return balls_before - kinetic_energy(now_.bodies);
+    });
 }
 
 /// @param known the impulses were given in the substep before
-void ContactStage::before_pushes(std::span<const ContactRow> rows, bool known) {
-    for (std::size_t c = 0; c < now_.moving.cloths.size(); ++c) {
-        Cloth& cloth = now_.moving.cloths[c];
+/// @param give pushes cloths and bodies; returns the work by all free balls, which the first cloth that touches one
+/// enters [J]
+template <class Give>
+void ContactStage::push(std::span<const ContactRow> rows, bool known, Give give) {
+    const std::span<Cloth> cloths = now_.moving.cloths;
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        Cloth& cloth = cloths[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {rows, static_cast<int>(c), now_.bodies, known});
     }
-}
-
-/// @param free_work by all free balls, which the first cloth that touches one enters [J]
-void ContactStage::after_pushes(std::span<const ContactRow> rows, bool known, double free_work) {
-    for (std::size_t c = 0; c < now_.moving.cloths.size(); ++c) {
-        Cloth& cloth = now_.moving.cloths[c];
+    double free_work = give();
+    for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) now_.moving.balls[b] = now_.bodies[b];
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        Cloth& cloth = cloths[c];
         const std::span<const ContactRow> own = of_cloth(rows, c);
         const bool takes = std::ranges::any_of(own, [&](const ContactRow& row) {
             return row.has_impulse() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
@@ -241,10 +239,11 @@ void ContactStage::audit_response(StepReport& report) {
 void ContactStage::solve(StepReport& report) {
     go_on(Stage::Found, Stage::Solved);
     Stopwatch watch;
-    before_pushes(rows_, false);
-    const ResponseReport left = solver_.resolve(now_.response, now_.h, now_.cloths, now_.bodies, rows_);
-    move_balls();
-    after_pushes(rows_, false, left.free_ball_work);
+    ResponseReport left;
+    push(rows_, false, [&] {
+        left = solver_.resolve(now_.response, now_.h, now_.cloths, now_.bodies, rows_);
+        return left.free_ball_work;
+    });
     report.penetration = static_cast<double>(left.depth);
     report.contact_residual = std::max(report.contact_residual, static_cast<double>(left.residual));
     report.contact_sweeps += left.sweeps;

@@ -39,9 +39,8 @@ Vec3 at(const std::vector<PathPoint>& path, Real time) {
     return path.empty() ? Vec3(Vec3::Zero()) : point_on_path(path, time);
 }
 
-}  // namespace
-
-struct MovingPins::Pose {
+/// Where a group is at a time.
+struct Pose {
     Vec3 shift, turns;
     Eigen::Quaternion<Real> turn;
 
@@ -51,6 +50,8 @@ struct MovingPins::Pose {
     [[nodiscard]] bool operator==(const Pose& other) const { return shift == other.shift && turns == other.turns; }
     [[nodiscard]] Vec3 of(const Vec3& middle, const Vec3& arm) const { return middle + shift + turn * arm; }
 };
+
+}  // namespace
 
 void MovingPins::use(const Settings& settings) {
     groups_.clear();

@@ -111,13 +111,12 @@ private:
     };
 
     void go_on(Stage from, Stage to);
-    void move_balls();
     [[nodiscard]] MovingCloth motion_of(std::size_t cloth) const;
     void build(StepReport& report);
     void traverse(StepReport& report);
     void narrow(StepReport& report);
-    void before_pushes(std::span<const ContactRow> rows, bool known);
-    void after_pushes(std::span<const ContactRow> rows, bool known, double free_work);
+    template <class Give>
+    void push(std::span<const ContactRow> rows, bool known, Give give);
 
     Stage stage_ = Stage::Ended;
     ScratchOnCopy<Now> now_;

@@ -39,9 +39,6 @@ private:
         double power = 0;        ///< at its start [W]
     };
 
-    /// Where a group is at a time.
-    struct Pose;
-
     static bool lead(Group& group, Cloth& cloth, Real time, Real h);
 
     std::vector<Group> groups_;
