@@ -33,8 +33,7 @@ class InertialGuess {
 public:
     InertialGuess(const Grid& grid, Kernels kernels) : forces_(grid, kernels) {}
 
-    /// v += h f / inertia with f of gravity, drag and wind at the start; x += h v. Pinned particles move
-    /// as held.
+    /// v += h f / inertia with f of gravity, drag and wind at the start; x += h v. Pinned particles move as held.
     /// @param inertia as found at this state
     void advance(const ClothModel& model, const Numbers& inertia, ClothState& state, Real h) {
         const Real calm = model.particle_mass + h * model.drag, h_less_drag = h * model.particle_mass / calm;

@@ -115,8 +115,7 @@ public:
     /// Where the cloth may come as near to another one, or to itself, as a margin.
     /// @param other built by the same parameters; this one itself for a cloth against itself
     /// @param folds of the cloth against itself, built from the same positions: it prunes what cannot touch itself;
-    /// null
-    ///        for volumes alone
+    ///        null: volumes alone
     /// @param pairs receives every pair of leaves with triangles, not both the same, that are no farther from each
     ///        other than the margin, and perhaps more; those of one cloth once, in either order. Cleared first
     /// @pre `build` was called for both

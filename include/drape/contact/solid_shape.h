@@ -37,8 +37,7 @@ public:
     /// @param farthest upper bound on the unsigned distance [m]
     [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
 
-    /// A distance that no point of a triangle is below, at most `asked`; minus infinity where a shape has none to
-    /// offer.
+    /// A distance that no point of a triangle is below, at most `asked`; minus infinity where a shape has none.
     /// @param triangle of which the corners are outside, no nearer than `asked`
     /// @par Cost O(log triangles) and some microseconds near the surface
     [[nodiscard]] virtual Real clearance(const std::array<Vec3, 3>& /*triangle*/, Real /*asked*/) const {

@@ -59,8 +59,7 @@ struct PinSettings {
     int cloth = 0;                 ///< its number
     Grid particles{0, 0};          ///< the pins from the first to the second of these particles
     std::vector<PathPoint> shift;  ///< from where the cloth starts, as a ball's path; none: not shifted
-    std::vector<PathPoint>
-        turns;  ///< about x, y and z; their sum as vectors is the axis, and how far; none: not turned
+    std::vector<PathPoint> turns;  ///< about x, y and z: their sum as vectors is axis and size; none: not turned
     bool operator==(const PinSettings&) const = default;
 };
 

@@ -14,8 +14,7 @@ namespace drape {
 /// When each step of a run began, where the time step changes on the way: one entry for each change.
 class StepTimes {
 public:
-    /// A new step is made, of this length; 0 while a run that has diverged stands still [s]. Steps come in order, from
-    /// 0.
+    /// A step is made, of this length; 0 while a run that has diverged stands still [s]. Steps come in order, from 0.
     void pass(std::int64_t step, double dt) {
         if (changes_.empty() || changes_.back().dt != dt) changes_.push_back({step, at(step), dt});
     }

@@ -126,8 +126,7 @@ struct BodyContacts {
     const MovingCloth& cloth;
     const SearchedBody& body;
     NearBody near;
-    Vec3 start,
-        end;  ///< of a point that moves with the body: where the planes are those of the contacts, and at the end
+    Vec3 start, end;  ///< of a point of the body: where the planes are those of the contacts, and at the end
     std::vector<ContactRow>& rows;
 
     const Points& before = body.reach > 0 ? cloth.before : cloth.x;
