@@ -106,7 +106,7 @@ protected:
         return moves_otherwise || picture_of(as_it_is) != picture_of(changed);
     }
 
-    OffscreenContext context_;
+    GlContext context_ = make_context();
 };
 
 TEST_F(SettingsPanelRows, AreNotAliveByThePictureAlone) {
