@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 
-#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {

@@ -6,7 +6,6 @@
 #include <array>
 #include <string>
 
-#include "format_text.h"
 #include "overlay_style.h"
 #include "panels.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "format_text.h"
+#include "overlay_style.h"
 
 namespace drape {
 

@@ -3,7 +3,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +30,14 @@ inline constexpr ImU32 lit = IM_COL32(255, 255, 255, 52);
 inline constexpr ImU32 popup = IM_COL32(34, 38, 48, 245);
 inline constexpr ImU32 panel = IM_COL32(22, 26, 34, 196);
 }  // namespace ink
+
+/// What `std::printf` would print, of at most 199 bytes.
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+    std::array<char, 200> text{};
+    std::snprintf(text.data(), text.size(), pattern, values...);
+    return text.data();
+}
 
 /// A font in one of its sizes.
 struct PanelFont {

@@ -34,6 +34,10 @@ struct SettingRow {
 SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
                             const Settings& scene);
 
+/// A value to begin a comparison with: the next name, the other of two, twice or half the numbers.
+/// @param row with the value of the run
+SettingValue another_value(const SettingRow& row);
+
 /// Dear ImGui's widgets that change a setting's value: a slider, a box or a list each. It knows which of its widgets is
 /// being changed.
 class SettingEditor {

@@ -151,7 +151,7 @@ void Solids::index_triangles() {
     cloth_index_count_ = static_cast<int>(indices.size());
     append_indices(meshes_, particle_count_, indices);
     body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
-    const std::vector<std::uint32_t> coarse = coarse_triangle_indices(grids_, coarse_step(particle_count_));
+    const std::vector<std::uint32_t> coarse = triangle_indices(grids_, coarse_step(particle_count_));
     coarse_index_count_ = static_cast<int>(coarse.size());
     indices.insert(indices.end(), coarse.begin(), coarse.end());
     cloths_.bind();

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "format_text.h"
 #include "overlay_style.h"
 
 namespace drape {
