@@ -31,6 +31,24 @@ Axes axes_of(float yaw, float pitch) {
     return axes;
 }
 
+// Around all cloths, balls and solids
+Eigen::AlignedBox<Real, 3> box_of(const FrameView& view) {
+    Eigen::AlignedBox<Real, 3> box;
+    for (const ClothView& cloth : view.cloths) {
+        if (cloth.x.rows() == 0) continue;
+        box.extend(Vec3(cloth.x.colwise().minCoeff()));
+        box.extend(Vec3(cloth.x.colwise().maxCoeff()));
+    }
+    for (const Ball& ball : view.balls) {
+        box.extend(Vec3(ball.centre.array() - ball.radius));
+        box.extend(Vec3(ball.centre.array() + ball.radius));
+    }
+    for (std::size_t i = 0; i < view.solids.size(); ++i) {
+        box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
+    }
+    return box;
+}
+
 }  // namespace
 
 Camera::Camera(const ViewSettings& view) : target_(view.target.cast<float>()), yaw_(0), pitch_(0), distance_(1) {
@@ -53,9 +71,15 @@ void Camera::apply(const Command& command, const FrameView& view) {
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
     } else if (std::holds_alternative<command::Frame>(command)) {
-        const Extent extent = drawn_extent(view);
-        target_ = extent.centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
-        distance_ = std::clamp(extent.radius / std::sin(field_of_view / 2), least_distance, most_distance);
+        const Eigen::AlignedBox<Real, 3> box = box_of(view);
+        Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+        float radius = 1;
+        if (!box.isEmpty() && box.sizes().allFinite()) {
+            centre = box.center().cast<float>();
+            radius = std::max(0.01f, 0.5f * static_cast<float>(box.diagonal().norm()));
+        }
+        target_ = centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
+        distance_ = std::clamp(radius / std::sin(field_of_view / 2), least_distance, most_distance);
     }
 }
 

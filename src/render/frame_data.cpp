@@ -175,28 +175,6 @@ Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number) {
     return orientation.coeffs().cast<float>();
 }
 
-Extent drawn_extent(const FrameView& view) {
-    Eigen::AlignedBox<Real, 3> box;
-    for (const ClothView& cloth : view.cloths) {
-        if (cloth.x.rows() == 0) continue;
-        box.extend(Vec3(cloth.x.colwise().minCoeff()));
-        box.extend(Vec3(cloth.x.colwise().maxCoeff()));
-    }
-    for (const Ball& ball : view.balls) {
-        box.extend(Vec3(ball.centre.array() - ball.radius));
-        box.extend(Vec3(ball.centre.array() + ball.radius));
-    }
-    for (std::size_t i = 0; i < view.solids.size(); ++i) {
-        box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
-    }
-    Extent extent;
-    if (!box.isEmpty() && box.sizes().allFinite()) {
-        extent.centre = box.center().cast<float>();
-        extent.radius = std::max(0.01f, 0.5f * static_cast<float>(box.diagonal().norm()));
-    }
-    return extent;
-}
-
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,
                           const PictureSize& drawn, int shadow_texels, std::span<const Holder> holders,
                           double display_scale) {

@@ -61,6 +61,14 @@ int Marks::room(const FrameData& data) const {
     return static_cast<int>(std::ceil(show_pins_ ? 24 * scale : data.magnified.x() / 2));
 }
 
+void Marks::add_to(FrameData& data) const {
+    data.counts[0] = spring_counts_[0];
+    data.counts[1] = spring_counts_[1];
+    data.counts[2] = segments();
+    data.shadow[1] = spacing_;
+}
+
+// Of the circles of a bounding sphere: fewer where there are many spheres
 int Marks::segments() const {
     constexpr std::size_t vertices_wanted = 300'000;
     const std::size_t share =

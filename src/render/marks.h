@@ -36,13 +36,11 @@ public:
     /// How far marks stand out of the box of what is drawn [pixel].
     [[nodiscard]] int room(const FrameData& data) const;
 
-    /// Structural, shear and bend.
-    [[nodiscard]] const std::array<int, 3>& springs() const { return spring_counts_; }
-    [[nodiscard]] float spacing() const { return spacing_; }
-    /// Of the circles of a bounding sphere: fewer where there are many spheres.
-    [[nodiscard]] int segments() const;
+    /// Adds the numbers of springs and of the segments of circles, and the particles' spacing.
+    void add_to(FrameData& data) const;
 
 private:
+    [[nodiscard]] int segments() const;
     void collect_bounds(const FrameView& view);
     void collect_compared(const FrameView& view);
     void index_springs(const FrameView& view);

@@ -15,8 +15,7 @@ constexpr int wanted_samples = 4;
 
 void check_complete(Gl& gl, const PictureSize& size) {
     if (gl(glCheckFramebufferStatus, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-        throw RunError("OpenGL refuses a picture of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                       " pixels");
+        throw RunError("OpenGL refuses a picture of " + size_text(size) + " pixels");
     }
 }
 
