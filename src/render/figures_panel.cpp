@@ -10,7 +10,6 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
-#include "overlay_style.h"
 
 namespace drape {
 

@@ -1,13 +1,10 @@
-#include "hierarchy_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <string>
-
-#include "overlay_style.h"
-#include "panels.h"
 
 namespace drape {
 

@@ -1,10 +1,8 @@
-#include "key_panels.h"
+#include "panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-
-#include "overlay_style.h"
 
 namespace drape {
 

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "drape/sim/frame_view.h"
-#include "gl_objects.h"
+#include "gl.h"
 #include "outlines.h"
 #include "picture_target.h"
-#include "program.h"
 #include "stream_buffer.h"
 
 namespace drape {

@@ -7,8 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "overlay_style.h"
-
 namespace drape {
 
 namespace {

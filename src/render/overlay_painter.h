@@ -6,9 +6,8 @@
 #include <cstddef>
 
 #include "drape/base/assert.h"
-#include "gl_objects.h"
+#include "gl.h"
 #include "picture_target.h"
-#include "program.h"
 #include "stream_buffer.h"
 
 namespace drape {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "contact_forces.h"
-#include "panels.h"
 
 namespace drape {
 

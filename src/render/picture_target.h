@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "drape/render/image.h"
-#include "gl_objects.h"
+#include "gl.h"
 
 namespace drape {
 

@@ -46,6 +46,12 @@ void number_beside_grab(const SettingRow& row, double number) {
 
 }  // namespace
 
+bool has_panel_row(const Setting& setting) {
+    const bool is_start_of_view = setting.full_name() == "view.eye" || setting.full_name() == "view.target";
+    return !is_start_of_view && setting.section != "needs" && !setting.section.empty() &&
+           setting.kind != SettingKind::Text && setting.kind != SettingKind::Path;
+}
+
 SliderScale slider_scale(const Setting& setting, double scene_value) {
     const Range& range = setting.range;
     if (setting.usual_high > 0) return {range.low, std::max(setting.usual_high, scene_value), false};

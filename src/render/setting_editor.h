@@ -8,6 +8,10 @@
 
 namespace drape {
 
+/// Whether the settings panel has a row for a setting: texts, paths, where the view starts and what a scene needs have
+/// none.
+bool has_panel_row(const Setting& setting);
+
 /// The numbers that a slider leads over, which are fewer than the setting accepts.
 struct SliderScale {
     double low, high;

@@ -9,7 +9,6 @@
 
 #include "drape/base/numbers.h"
 #include "drape/session/comparison.h"
-#include "overlay_style.h"
 
 namespace drape {
 
@@ -25,12 +24,6 @@ bool can_compare(const Setting& setting, const Settings& settings) {
 }
 
 }  // namespace
-
-bool has_panel_row(const Setting& setting) {
-    const bool is_start_of_view = setting.full_name() == "view.eye" || setting.full_name() == "view.target";
-    return !is_start_of_view && setting.section != "needs" && !setting.section.empty() &&
-           setting.kind != SettingKind::Text && setting.kind != SettingKind::Path;
-}
 
 void SettingsPanel::place(const OverlayPage& page) {
     const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);

@@ -7,13 +7,10 @@
 
 #include "drape/render/renderer.h"
 #include "drape/scene/setting_table.h"
-#include "panel_boxes.h"
+#include "overlay_style.h"
 #include "setting_editor.h"
 
 namespace drape {
-
-/// Whether the panel has a row for a setting: texts, paths, where the view starts and what a scene needs have none.
-bool has_panel_row(const Setting& setting);
 
 /// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
 /// or a list each, the help under the pointer, and a button back to the scene's value. A row without effect is dim, and

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl_objects.h"
+#include "gl.h"
 
 namespace drape {
 

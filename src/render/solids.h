@@ -8,10 +8,9 @@
 
 #include "cloth_colours.h"
 #include "drape/sim/frame_view.h"
-#include "gl_objects.h"
+#include "gl.h"
 #include "holders.h"
 #include "picture_target.h"
-#include "program.h"
 #include "smooth_outline.h"
 #include "stream_buffer.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "gl_objects.h"
+#include "gl.h"
 
 namespace drape {
 

@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "frame_data.h"
-#include "gl_objects.h"
-#include "program.h"
+#include "gl.h"
 
 namespace drape {
 

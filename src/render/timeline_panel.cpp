@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "overlay_style.h"
-
 namespace drape {
 
 namespace {

@@ -1,6 +1,6 @@
 // Every row of the settings panel does something: it changes the motion, or the picture.
 
-#include "render/settings_panel.h"
+#include "render/setting_editor.h"
 
 #include <gtest/gtest.h>
 

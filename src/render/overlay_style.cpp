@@ -1,9 +1,3 @@
-#include "panel_boxes.h"
-
-#include <imgui.h>
-
-#include <algorithm>
-
 #include "overlay_style.h"
 
 namespace drape {
