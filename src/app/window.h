@@ -22,7 +22,6 @@
 #include "options.h"
 #include "picture_pace.h"
 #include "pointer.h"
-#include "scene_clock.h"
 #include "scene_watch.h"
 #include "shot_repeat.h"
 #include "steering.h"
