@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth_mesh.h"
-#include "node_states.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 

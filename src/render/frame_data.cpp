@@ -7,7 +7,7 @@
 
 #include "cloth_colours.h"
 #include "drape/session/unstable_mode.h"
-#include "node_states.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 

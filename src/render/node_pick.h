@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "drape/render/camera.h"
-#include "node_states.h"
-#include "outlines.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 

@@ -11,12 +11,11 @@
 #include "cloth_colours.h"
 #include "drape/render/renderer.h"
 #include "drape/session/comparison.h"
+#include "drawn_nodes.h"
 #include "node_pick.h"
-#include "node_states.h"
 #include "overlay_style.h"
 #include "plot_history.h"
 #include "step_medians.h"
-#include "tightness.h"
 
 namespace drape {
 
@@ -52,12 +51,6 @@ PanelBox timeline_place(const OverlayPage& page);
 /// newest, or in the recording that is replayed.
 /// @return the step that a drag on it asks for
 std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
-
-/// Begins a panel at the lower right, with its title.
-/// @param size of it, its margins included [pixel]
-/// @param taken what is left of this belongs to others [pixel]
-/// @return where its lines begin; nothing where there is no room
-std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float taken, const OverlayPage& page);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.
