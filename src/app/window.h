@@ -85,7 +85,6 @@ private:
     [[nodiscard]] std::vector<Command> safe_step();
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
-    void compare(const Entry& entry);
     void go_to_stop(int stop);
     void leave_tour();
     void forget_hint();

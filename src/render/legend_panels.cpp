@@ -131,8 +131,9 @@ void draw_colours(ImVec2 corner, float column) {
 
 }  // namespace
 
-void HierarchyPanel::count(const FrameView& view, int levels) {
-    counts_.assign(static_cast<std::size_t>(levels), {});
+float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage& page) {
+    const ShownLevel shown = shown_level(view);
+    counts_.assign(static_cast<std::size_t>(shown.levels), {});
     for (const ClothView& cloth : view.cloths) {
         touched_.take(cloth, *view.report);
         for (int level = 0; level < cloth.hierarchy->levels(); ++level) {
@@ -140,11 +141,6 @@ void HierarchyPanel::count(const FrameView& view, int levels) {
             counts_[static_cast<std::size_t>(level)].add(nodes_, touched_);
         }
     }
-}
-
-float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage& page) {
-    const ShownLevel shown = shown_level(view);
-    count(view, shown.levels);
     const float row = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * ImGui::GetFontSize();
     const float width = table_width() + 2 * page.margin;
     float height = row + 2 * page.margin;

@@ -77,8 +77,6 @@ public:
     void name_node(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
 
 private:
-    void count(const FrameView& view, int levels);
-
     std::vector<LevelCounts> counts_;
     std::vector<NodeView> nodes_;
     TouchedCells touched_;

@@ -61,7 +61,14 @@ public:
             particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
         ball_count_ = static_cast<int>(view.balls.size());
         hang(view, holders_);
-        const bool has_other_bodies = update_bodies(view);
+        const bool has_other_bodies = update_kept(view.solids, shapes_, &Solid::shape);
+        if (has_other_bodies) {
+            meshes_.clear();
+            body_vertex_count_ = 0;
+            for (const Solid& solid : view.solids) {
+                body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
+            }
+        }
 
         // The colours of nodes are those of whole cells, and lines are drawn between particles
         const ViewSettings& shown = view.settings->view;
@@ -223,17 +230,6 @@ private:
         indices.insert(indices.end(), coarse.begin(), coarse.end());
         cloths_.bind();
         fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
-    }
-
-    // @return false if their meshes were at hand
-    bool update_bodies(const FrameView& view) {
-        if (!update_kept(view.solids, shapes_, &Solid::shape)) return false;
-        meshes_.clear();
-        body_vertex_count_ = 0;
-        for (const Solid& solid : view.solids) {
-            body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
-        }
-        return true;
     }
 
     void fill_places(const FrameView& view, StreamBuffer& stream) {
