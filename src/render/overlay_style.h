@@ -119,11 +119,11 @@ void end_window();
 
 /// Where panels are that find room for themselves: the others of this frame are in the way.
 /// @param size_within how large the panel is if it may be this wide [pixel]
-/// @param least_width less of it would not be readable [pixel]
+/// @param min_width less of it would not be readable [pixel]
 /// @param at_top in the middle of the top, else of the bottom
 /// @return where it touches none of the others and is within the page; nothing if it is nowhere
 /// @par Cost O(boxes^2)
 std::optional<PanelBox> free_place(const OverlayPage& page, const std::vector<PanelBox>& others,
-                                   const std::function<ImVec2(float)>& size_within, float least_width, bool at_top);
+                                   const std::function<ImVec2(float)>& size_within, float min_width, bool at_top);
 
 }  // namespace drape
