@@ -33,7 +33,7 @@ namespace drape {
 class Window {
 public:
     /// Opens the window.
-    /// @param options its size, `tour` and `check`
+    /// @param options outlive the window
     /// @param signals that end it
     /// @pre glutInit was called
     Window(Session& session, const Options& options, const StopSignals& signals);
@@ -131,9 +131,8 @@ private:
     std::string told_failure_;  ///< of which it tells
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;
-    std::string first_scene_;  ///< with which the program began, and the settings that it was given
-    std::vector<std::string> assignments_;
-    bool keeps_size_;               ///< for the next time
+    std::string first_scene_;  ///< with which the program began
+    const Options& options_;
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]

@@ -50,7 +50,9 @@ public:
 
     /// Into vertices that follow one another as the cloths do: of the scale in [0, 1]; or the number of a group, which
     /// the triangles of a cell take from its corner b.
-    void fill(std::span<ClothVertex> vertices) const;
+    void fill(std::span<ClothVertex> vertices) const {
+        for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
+    }
 
 private:
     void collect_values(const FrameView& view);

@@ -74,7 +74,6 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
     return {
         .setting = &setting,
         .name = count > 1 ? setting.section + "[" + std::to_string(number) + "]." + setting.name : setting.full_name(),
-        .label = setting_label(setting),
         .format = is_whole  ? "%.0f"
                   : is_list ? "%.3g"
                             : number_format(setting),

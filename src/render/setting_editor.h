@@ -27,7 +27,7 @@ SliderScale slider_scale(const Setting& setting, double scene_value);
 struct SettingRow {
     const Setting* setting;
     std::string name;  ///< of what it changes: "solver.dt", "ball[1].radius"
-    std::string label, format;
+    std::string format;
     SettingValue value;
     std::optional<SettingValue> of_the_scene;
     SliderScale scale;           ///< of a number

@@ -109,7 +109,7 @@ void SettingsPanel::draw_row(const SettingRow& row) {
     ImGui::SetNextItemWidth(widget_width());
     if (const auto chosen = editor_.edit(row)) wishes_.changes.push_back(row.name + "=" + value_text(*chosen));
     ImGui::SameLine();
-    ImGui::TextUnformatted(row.label.c_str());
+    ImGui::TextUnformatted(setting_label(*row.setting).c_str());
     ImGui::PopStyleColor(3);
     ImGui::EndGroup();
     SettingEditor::explain(row);
