@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
     for (const char* setting :
          {"update=rebuild", "update=merge", "update=refit", "update=none", "search_level=2", "search_tests=16",
-          "sphere_fit=box", "sphere_fit=ritter", "sphere_fit=epos26", "sphere_fit=welzl"}) {
+          "sphere_fit=box", "sphere_fit=ritter", "sphere_fit=epos26", "sphere_fit=welzl", "update=insertion",
+          "volume=aabb", "volume=kdop18", "volume=kdop26", "volume=obb", "volume=brute"}) {
         Simulation simulation = small_simulation({setting, "leaf_cells=2"});
         while (simulation.report().contacts == 0) simulation.step();
         const auto before = test::allocations();
