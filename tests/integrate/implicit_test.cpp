@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "drape/integrate/integrator.h"
-#include "drape/model/energy.h"
 #include "drape/model/forces.h"
 #include "drape/model/jacobian.h"
 #include "integrate/damped_sheet.h"
@@ -110,25 +109,6 @@ TEST(Bdf2, StartsAnewByBackwardEulerWhenSomethingWasTouched) {
     EXPECT_TRUE(begins_anew([](ClothModel&, ClothState& s, Real&) { s.v(7, 1) *= 0.5; }));
     EXPECT_TRUE(begins_anew([](ClothModel&, ClothState&, Real& h) { h /= 2; }));
     EXPECT_TRUE(begins_anew([](ClothModel& m, ClothState&, Real&) { m.hold(9, true); }));
-}
-
-/// The part of a small oscillation's energy that is left after a hundred periods of its quickest mode and more.
-Real energy_kept(IntegratorKind kind) {
-    Sheet sheet;
-    sheet.undamp();
-    sheet.model.gravity.setZero();
-    ClothState state = make_rest_state(sheet.parameters);
-    state.v = 1e-4 * sheet.start.v;
-    state.v.col(1).setZero();  // in the plane, where the springs are linear
-    const Real before = compute_energy(sheet.model, state, Kernels::Vector).total();
-    state = after({.kind = kind, .hessian = Hessian::Exact}, sheet.model, state, 10, 1000);
-    return compute_energy(sheet.model, state, Kernels::Vector).total() / before;
-}
-
-TEST(ImplicitMidpoint, KeepsTheEnergyOfASmallOscillation) {
-    EXPECT_NEAR(energy_kept(IntegratorKind::ImplicitMidpoint), 1, 1e-3);
-    EXPECT_LT(energy_kept(IntegratorKind::BackwardEuler), 0.5);
-    EXPECT_LT(energy_kept(IntegratorKind::Bdf2), 0.99);
 }
 
 }  // namespace
