@@ -12,7 +12,6 @@
 #include "drape/contact/detection.h"
 #include "support/cloths.h"
 #include "support/containment.h"
-#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
@@ -173,31 +172,6 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
     EXPECT_EQ(comparison.disagreements, 0);
     EXPECT_GT(comparison.touching, comparison.configurations / 4);
     EXPECT_LT(comparison.touching, comparison.configurations);
-}
-
-TEST(TouchedTriangles, AreThoseWithinTheRadius) {
-    std::mt19937 random(10);
-    std::uniform_real_distribution<Real> unit(-1, 1);
-    constexpr Real thickness = Real(0.002);
-    const Grid grid{14, 9};
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
-    std::vector<int> touched;
-    std::size_t found = 0;
-    for (int round = 0; round < 5000; ++round) {
-        const Points x = test::random_cloth(grid, random);
-        const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
-                        .radius = 0.2 + 0.19 * unit(random)};
-        find_touched_triangles(grid, x, ball, thickness, all, touched, Kernels::Vector);
-        found += touched.size();
-        ASSERT_TRUE(std::ranges::is_sorted(touched));
-        for (int t = 0; t < grid.triangles(); ++t) {
-            const Real gap = distance_to_triangle(ball.centre, grid, x, t) - ball.radius - thickness;
-            const auto listed = std::ranges::count(touched, t);
-            ASSERT_TRUE(std::abs(gap) < 1e-12 || listed == (gap <= 0 ? 1 : 0));
-        }
-    }
-    EXPECT_GT(found, 10'000u);
 }
 
 }  // namespace
