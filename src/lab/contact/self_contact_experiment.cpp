@@ -8,7 +8,6 @@
 
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
 #include "drape/contact/near_pairs.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
@@ -135,11 +134,6 @@ ExperimentCases self_contact_cases(bool quick) {
                       std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
 }
 
-std::vector<Chart> self_contact_charts(const Rows& rows) {
-    const auto shown = words_of(rows, [](const Row& row) { return real_text(1e3 * row.number("thickness_m"), 4); });
-    return {{"self_contact", {{"thicknesses", in_words(shown)}}}};
-}
-
 }  // namespace
 
 ContactScene throw_sheet(Real speed, Real thickness) {
@@ -214,7 +208,7 @@ Experiment self_contact_experiment() {
              number_column("rejected"), number_column("cpu_s_per_s").with_quartiles()},  // time for a simulated second
             {{"thickness_m", "step_s", "fail_safe"},
              {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
-            {{"", self_contact_cases, self_contact_charts}}};
+            {{"", self_contact_cases, charts_of({{.name = "self_contact"}})}}};
 }
 
 }  // namespace drape

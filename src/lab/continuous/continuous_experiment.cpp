@@ -188,14 +188,6 @@ ExperimentCases time_cases(bool quick) {
                       quick ? std::vector{32, 64} : std::vector{16, 32, 64, 128, 256, 512});
 }
 
-std::vector<Chart> miss_charts(const Rows& rows) {
-    return {{"continuous_misses", {{"targets", in_words(words_of(rows, "target"))}}}};
-}
-
-std::vector<Chart> time_charts(const Rows& rows) {
-    return {{"continuous_time", {{"detections", in_words(words_of(rows, "detection"))}}}};
-}
-
 }  // namespace
 
 Experiment continuous_experiment() {
@@ -212,7 +204,8 @@ Experiment continuous_experiment() {
              number_column("search_s").or_nan().with_quartiles()},
             {{"part", "target", "detection", "q", "particles"},
              {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
-            {{"misses", miss_cases, miss_charts}, {"time", time_cases, time_charts}}};
+            {{"misses", miss_cases, charts_of({{.name = "continuous_misses"}})},
+             {"time", time_cases, charts_of({{.name = "continuous_time"}})}}};
 }
 
 }  // namespace drape

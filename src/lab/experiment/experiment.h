@@ -18,7 +18,6 @@ struct Chart {
 
     std::string name;                          ///< of the files, without what follows the dot: letters, digits and '_'
     std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
-    std::string data = {};                     ///< what more it reads, from the file in the variable `data`
     std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
     std::string caption = {};                  ///< under the picture, after what the script's head says of it
 };

@@ -49,13 +49,12 @@ std::string script_text(const std::string& name) {
 std::string caption_of(const std::string& name, const std::string& script, const std::string& more) {
     constexpr std::string_view mark = "# caption: ";
     std::istringstream text(script);
-    std::vector<std::string> parts;
+    std::string caption;
     for (std::string line; std::getline(text, line);) {
-        if (line.starts_with(mark)) parts.push_back(line.substr(mark.size()));
+        if (line.starts_with(mark)) caption += line.substr(mark.size()) + " ";
     }
-    if (parts.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
-    if (!more.empty()) parts.push_back(more);
-    return in_words(parts);
+    if (caption.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
+    return std::string(trimmed(caption + more));
 }
 
 /// Text as a page shows it.
@@ -78,12 +77,6 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     for (Chart chart : charts) {
         const std::string name = checked_name(chart.name), script = name + ".gnuplot";
         chart.values.insert({{"name", name}, {"table", table.filename().string()}});
-        if (!chart.data.empty()) {
-            chart.values["data"] = name + "_data.csv";
-            OutputFile data((folder / (name + "_data.csv")).string());
-            data.stream() << chart.data;
-            data.close();
-        }
         const std::string own_name = chart.script.empty() ? name : chart.script, own = script_text(own_name);
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"

@@ -1,6 +1,6 @@
 #include "row.h"
 
-#include <fmt/ranges.h>
+#include <fmt/core.h>
 
 #include <cmath>
 
@@ -103,6 +103,12 @@ Rows rows_with(Rows rows, const char* column, const std::string& word) {
     return rows;
 }
 
-std::string in_words(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
+std::vector<std::string> words_of(const Rows& rows, const char* column) {
+    std::vector<std::string> words;
+    for (const Row& row : rows) {
+        if (std::ranges::find(words, row.word(column)) == words.end()) words.push_back(row.word(column));
+    }
+    return words;
+}
 
 }  // namespace drape

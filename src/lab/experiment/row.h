@@ -138,22 +138,7 @@ std::vector<std::string> names_in(const Items& items, Name name) {
     return names;
 }
 
-/// The words that a function has for rows, each once, in the order in which they come.
-template <class Word>
-std::vector<std::string> words_of(const Rows& rows, Word word) {
-    std::vector<std::string> words;
-    for (const std::string& one : names_in(rows, word)) {
-        if (std::ranges::find(words, one) == words.end()) words.push_back(one);
-    }
-    return words;
-}
-
-/// The words that rows have in a column.
-inline std::vector<std::string> words_of(const Rows& rows, const char* column) {
-    return words_of(rows, [column](const Row& row) { return row.word(column); });
-}
-
-/// A list of words for the script of a chart: "drop curtain".
-std::string in_words(const std::vector<std::string>& words);
+/// The words that rows have in a column, each once, in the order in which they come.
+std::vector<std::string> words_of(const Rows& rows, const char* column);
 
 }  // namespace drape

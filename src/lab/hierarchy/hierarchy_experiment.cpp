@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -302,13 +304,12 @@ ExperimentCases sizes(bool quick, const SharedMotions& motions) {
 
 /// What a node's volume takes: "sphere 32 aabb 48 ... brute 0".
 std::string bytes_of_nodes() {
-    std::vector<std::string> words;
+    std::string words;
     for (const VolumeKind kind : values_of<VolumeKind>()) {
         const auto size = []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); };
-        words.emplace_back(name_of(kind));
-        words.push_back(std::to_string(kind == VolumeKind::Brute ? 0 : with_volume(kind, size)));
+        words += fmt::format("{} {} ", name_of(kind), kind == VolumeKind::Brute ? 0 : with_volume(kind, size));
     }
-    return in_words(words);
+    return words;
 }
 
 }  // namespace

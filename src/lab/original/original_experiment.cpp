@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -126,47 +124,6 @@ Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::f
             {"vertices", median("vertices")}};
 }
 
-/// What a bar of the chart shows, in the unit that the chart says.
-struct Figure {
-    int test;
-    const char* column;
-    double factor;  ///< from the table's unit
-    int digits;
-};
-
-/// Of the dissertation's tests, those that the chart shows.
-constexpr Figure tests[] = {{1, "execution_s", 1e3, 4}, {2, "rate_per_s", 1, 3}};
-
-/// Build and search, which are timed without drawing, with the scene's leaves and down to single cells.
-constexpr Figure searches_alone[] = {
-    {6, "build_s", 1e6, 2}, {6, "search_s", 1e6, 2}, {6, "single_build_s", 1e6, 2}, {6, "single_search_s", 1e6, 2}};
-
-/// A bar over the rows of a volume; nothing where no row has the figure.
-std::string bar(const Rows& rows, const Figure& figure, int position, const OriginalWay& way) {
-    std::vector<double> values;
-    for (const Row& row : rows_with(rows, "volume", way.volume)) {
-        if (const double value = row.number(figure.column); !std::isnan(value)) values.push_back(figure.factor * value);
-    }
-    if (values.empty()) return "";
-    const auto [lower, median, upper] = quartiles_of(std::move(values));
-    return fmt::format("{},{},{},{:d},{:.8g},{:.8g},{:.8g},{:.{}g}\n", figure.test, position, way.volume,
-                       way.bounds_drawn, median, lower, upper, median, figure.digits);
-}
-
-std::vector<Chart> original_charts(const Rows& rows) {
-    std::string bars = "test,position,volume,drawn,median,lower,upper,text\n";
-    for (int position = 0; const OriginalWay& way : original_ways) {
-        const Rows same = rows_with(rows, "bounds_drawn", way.bounds_drawn ? "1" : "0");
-        for (const Figure& test : tests) bars += bar(same, test, position, way);
-        ++position;
-    }
-    for (int position = 0; const Figure& search : searches_alone) {
-        for (const OriginalWay& way : {original_ways[0], original_ways[1]}) bars += bar(rows, search, position++, way);
-        ++position;
-    }
-    return {{.name = "original", .data = bars}};
-}
-
 ExperimentCases original_cases(bool quick) {
     const OriginalPlan plan{.frames = quick ? 12 : 40, .passes = quick ? 5 : 15};
     const auto run = [plan, told = std::make_shared<bool>(false)] {
@@ -206,7 +163,7 @@ Experiment original_experiment() {
             {{"volume", "bounds_drawn"},
              {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s", "single_build_s",
               "single_search_s"}},
-            {{"", original_cases, original_charts}}};
+            {{"", original_cases, charts_of({{.name = "original"}})}}};
 }
 
 }  // namespace drape

@@ -165,13 +165,13 @@ std::vector<Chart> precision_charts(const Rows& rows) {
                             "the best point, less than {:.3g}: no chart is drawn",
                             scene, margin, least_margin));
         }
-        Chart diagram{"precision_" + scene, {{"scene", scene}}, {}, "precision", caption_of(points.front())};
+        Chart diagram{"precision_" + scene, {{"scene", scene}}, "precision", caption_of(points.front())};
         for (const std::string& method : words_of(own, "method")) {
             const auto order = order_of(rows_with(own, "method", method));
             if (order) diagram.values["order_" + method] = *order;
         }
         charts.push_back(diagram);
-        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, {}, "precision_choice"});
+        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, "precision_choice"});
     }
     return charts;
 }

@@ -57,13 +57,6 @@ ExperimentCases limit_cases(bool quick) {
                       std::vector{0.0, 0.5, 1.0});
 }
 
-std::vector<Chart> step_charts(const Rows& rows) {
-    const auto responses = words_of(rows, "response");
-    return {{"responses", {{"responses", in_words(responses)}}}};
-}
-
-std::vector<Chart> limit_charts(const Rows&) { return {{"responses_limit", {}}}; }
-
 }  // namespace
 
 Row drop_sheet(ResponseKind kind, Real step) {
@@ -152,7 +145,8 @@ Experiment responses_experiment() {
              positive_column("measured_step_s").or_nan()},
             {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
              {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
-            {{"step", step_cases, step_charts}, {"limit", limit_cases, limit_charts}}};
+            {{"step", step_cases, charts_of({{.name = "responses"}})},
+             {"limit", limit_cases, charts_of({{.name = "responses_limit"}})}}};
 }
 
 }  // namespace drape
