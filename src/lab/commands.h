@@ -19,8 +19,15 @@ void add_collide(CommandLine& line);
 /// `needs`: searches for what a scene needs, or checks that it has no more.
 void add_needs(CommandLine& line, int& exit_code);
 
+// Of these the experiments outlive the parsing of the command line.
+
 /// `list`: prints the names of scenes, settings, experiments, integrators or volumes.
-/// @param experiments outlive the parsing of the command line
 void add_list(CommandLine& line, std::span<const Experiment> experiments);
+
+/// A subcommand for each experiment, which writes NAME.csv, index.html and, where there is gnuplot, the charts.
+void add_experiments(CommandLine& line, std::span<const Experiment> experiments);
+
+/// `merge`: joins the tables of shares into that of a single run.
+void add_merge(CommandLine& line, std::span<const Experiment> experiments);
 
 }  // namespace drape

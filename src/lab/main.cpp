@@ -1,7 +1,6 @@
 #include "commands.h"
 #include "drape/base/command_line.h"
 #include "drape/base/run_program.h"
-#include "lab/experiment/run_experiment.h"
 #include "lab/experiments.h"
 
 namespace drape {

@@ -22,6 +22,11 @@ struct Chart {
     std::string caption = {};                  ///< under the picture, after what the script's head says of it
 };
 
+/// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
+/// " _:.+-" in single quotes.
+/// @throws RunError if there is any other
+std::string assignments_of(const Chart& chart);
+
 /// What is drawn of some rows of a table.
 using ChartsOfRows = std::function<std::vector<Chart>(const Rows& rows)>;
 

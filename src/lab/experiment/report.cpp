@@ -1,4 +1,4 @@
-#include "run_experiment.h"
+#include "experiment_table.h"
 
 #include <fmt/core.h>
 
@@ -110,8 +110,8 @@ constexpr const char* style =
 void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
                        const std::string& summary, const std::filesystem::path& table) {
     std::string lines;
-    for (const auto& [key, value] : head) {
-        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
+    for (const char* line : head_lines) {
+        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
     }
     OutputFile file((table.parent_path() / "index.html").string());
     file.stream() << fmt::format(
@@ -149,7 +149,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    const bool all = line_of(table.head, "settings").find(" --") == std::string::npos;  // neither cases nor a share
+    const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
     write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file, all), summary, file);
 }
 
