@@ -1,6 +1,5 @@
 #include "needs.h"
 
-#include "configurations.h"
 #include "drape/scene/setting_table.h"
 #include "lab/measure/statistics.h"
 
