@@ -6,12 +6,11 @@
 #include <map>
 #include <numbers>
 
+#include "contact_trial.h"
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
 #include "drape/contact/near_pairs.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
-#include "self_contact_trial.h"
 
 namespace drape {
 namespace {
@@ -96,10 +95,7 @@ SelfContactRun watch_sheets(const ContactScene& scene, double step, FailSafe fai
 double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
     ContactTrial sheets(scene.settings, scene.start);
     const auto steps = std::llround(sheet_seconds / step);
-    const double seconds = cpu_time_of([&] {
-        for (std::int64_t k = 0; k < steps; ++k) make_step(sheets, fail_safe, static_cast<Real>(step));
-    });
-    return seconds / sheet_seconds;
+    return cpu_time_of([&] { make_step(sheets, fail_safe, static_cast<Real>(step)); }, steps) / step;
 }
 
 /// The runs of a thickness, those of each step timed in turn.

@@ -13,7 +13,6 @@
 #include "drape/sim/simulation.h"
 #include "hierarchy_run.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {

@@ -72,10 +72,7 @@ public:
 
     Row time(std::size_t frame) {
         const auto seconds = [this](int runs, const auto& work) {
-            const double all = cpu_time_of([&] {
-                for (int k = 0; k < runs; ++k) work();
-            });
-            return std::max(all - clock_cost_, 0.0) / runs;
+            return std::max(cpu_time_of(work, runs) - clock_cost_ / runs, 0.0);
         };
         const double build = seconds(1, [&] { hierarchy_.build(motion_.x[frame]); });
         const double query = seconds(queries_in_a_row, [&] { hierarchy_.query(motion_.balls[frame], found_); });

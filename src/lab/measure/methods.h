@@ -4,19 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/enum_names.h"
 #include "drape/integrate/integrator.h"
 #include "drape/scene/settings.h"
 
 namespace drape {
-
-/// All values of an enumeration with names.
-template <Enumeration Enum>
-std::vector<Enum> values_of() {
-    std::vector<Enum> values;
-    for (std::size_t k = 0; k < enum_count<Enum>; ++k) values.push_back(static_cast<Enum>(k));
-    return values;
-}
 
 /// An integrator with its variant, as tables and charts call it: "rk4", "bdf2_exact", "xpbd_20".
 struct Method {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -22,12 +23,12 @@ Quartiles quartiles_of(std::vector<double> values);
 /// CPU time that this thread has used [s]. What others do on the machine does not count, but for the caches they share.
 double thread_cpu_time();
 
-/// CPU time that this thread takes for something [s].
+/// CPU time that this thread takes for something [s], in the mean if it is done several times in a row.
 template <class Work>
-double cpu_time_of(const Work& work) {
+double cpu_time_of(const Work& work, std::int64_t runs = 1) {
     const double before = thread_cpu_time();
-    work();
-    return thread_cpu_time() - before;
+    for (std::int64_t run = 0; run < runs; ++run) work();
+    return (thread_cpu_time() - before) / static_cast<double>(runs);
 }
 
 /// CPU time that all threads of the program have used [s].

@@ -2,7 +2,6 @@
 
 #include "lab/contact/contact_trial.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 #include "responses.h"
 
 namespace drape {

@@ -8,7 +8,6 @@
 #include "drape/sim/simulation.h"
 #include "drape/sim/sleep_watch.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 #include "lab/needs/needs.h"
 
 namespace drape {
