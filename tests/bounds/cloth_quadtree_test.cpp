@@ -59,10 +59,9 @@ TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
     std::mt19937 random(8);
     const Grid grid{31, 17};
     const Points x[] = {test::random_cloth(grid, random), test::random_cloth(grid, random)};
-    for (std::size_t volume = 0; volume < names_of<VolumeKind>().size(); ++volume) {
-        for (std::size_t update = 0; update < names_of<UpdateKind>().size(); ++update) {
-            const auto broad_phase = make_broad_phase(
-                {.volume = static_cast<VolumeKind>(volume), .update = static_cast<UpdateKind>(update)}, grid);
+    for (const VolumeKind volume : values_of<VolumeKind>()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
+            const auto broad_phase = make_broad_phase({.volume = volume, .update = update}, grid);
             Candidates found;
             broad_phase->build(x[0]);
             broad_phase->query({.centre = Vec3::Zero(), .radius = 0.1}, found);
@@ -71,8 +70,7 @@ TEST(BroadPhases, AllocateNothingAfterTheFirstFrame) {
                 broad_phase->build(moved);
                 broad_phase->query({.centre = Vec3::Zero(), .radius = 9}, found);
             }
-            EXPECT_EQ(test::allocations(), before)
-                << names_of<VolumeKind>()[volume] << ", " << names_of<UpdateKind>()[update];
+            EXPECT_EQ(test::allocations(), before) << name_of(volume) << ", " << name_of(update);
         }
     }
 }
