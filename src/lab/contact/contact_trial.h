@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/enum_names.h"
 #include "drape/scene/start_state.h"
 #include "drape/sim/contact_stage.h"
 

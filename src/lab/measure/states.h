@@ -2,7 +2,6 @@
 
 #include "drape/base/real.h"
 #include "drape/model/cloth_model.h"
-#include "drape/model/grid.h"
 
 namespace drape {
 

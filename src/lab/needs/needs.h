@@ -9,10 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/enum_names.h"
 #include "drape/scene/settings.h"
 #include "drape/scene/start_state.h"
-#include "lab/measure/methods.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {

@@ -3,6 +3,7 @@
 
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"
+#include "lab/measure/methods.h"
 #include "lab/needs/needs.h"
 
 namespace drape {
