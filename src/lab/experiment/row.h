@@ -120,13 +120,6 @@ private:
 
 using Rows = std::vector<Row>;
 
-// What rows are sorted and told by.
-
-/// The number in a column of a row.
-inline auto number_of(const char* column) {
-    return [column](const Row& row) { return row.number(column); };
-}
-
 /// Rows that have a word in a column.
 Rows rows_with(Rows rows, const char* column, const std::string& word);
 

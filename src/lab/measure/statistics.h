@@ -34,11 +34,6 @@ double cpu_time_of(const Work& work, std::int64_t runs = 1) {
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();
 
-/// The exponent of the power law y = c x^p that is nearest to some points by least squares of the logarithms: a
-/// straight line on paper with two logarithmic axes.
-/// @param points (x, y), all positive; at least two of different x
-double fitted_exponent(std::span<const std::pair<double, double>> points);
-
 /// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
 /// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is
 /// none. Coarser points join one by one, as long as the slope to the next is within 0.15, or 15 %, of what is fitted so

@@ -69,10 +69,15 @@ PrecisionScene dropped(bool quick) {
 /// A reference must be this much better than the best point that is compared with it.
 constexpr double least_margin = 100;
 
+/// The number in a column of a row, to sort by.
+auto number_in(const char* column) {
+    return [column](const Row& row) { return row.number(column); };
+}
+
 /// Of the steps of a method that are shorter than any that was unstable.
 /// @param method its rows
 std::optional<double> order_of(Rows method) {
-    std::ranges::stable_sort(method, std::greater(), number_of("step_s"));
+    std::ranges::stable_sort(method, std::greater(), number_in("step_s"));
     std::vector<std::pair<double, double>> errors;
     for (const Row& row : method) {
         if (row.word("end") != "bounded") {
@@ -192,7 +197,7 @@ std::vector<Chart> precision_charts(const Rows& rows) {
                 growth, scene, most_growth));
         }
         const double margin =
-            std::ranges::min(points, {}, number_of("error")).number("error") / points.front().number("reference_error");
+            std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
         if (!(margin >= least_margin)) {
             throw RunError(
                 fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
