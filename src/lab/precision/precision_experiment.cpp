@@ -24,23 +24,10 @@
 namespace drape {
 namespace {
 
-/// Drag of the whole cloth [N s/m]: a tenth of its speed in 0.04 s.
-constexpr Real whole_drag = Real(0.5);
-
-ClothParameters sheet(int particles, Real stiffness, Real damping) {
-    ClothParameters cloth;
-    cloth.particles = {particles, particles};
-    cloth.structural = {stiffness, damping};
-    cloth.shear = {stiffness / 2, damping};
-    cloth.bend = {stiffness / 10, damping};
-    cloth.drag = whole_drag / static_cast<Real>(cloth.particles.particles());
-    return cloth;
-}
-
 /// Held level by two corners and let go.
 PrecisionScene hung(const std::string& name, Real stiffness, Real damping, bool quick) {
     Settings settings;
-    settings.cloths = {sheet(quick ? 6 : 16, stiffness, damping)};
+    settings.cloths = {sheet_of(quick ? 6 : 16, stiffness, damping)};
     settings.cloths.front().pinned.kind = Pins::Kind::Two;
     const Rung before = solved_closely(Real(1e-11)), last = solved_closely(Real(1e-12));
     return {name, settings, Real(0.25), quick ? 7 : 8, quick ? 512 : 4096, 1, {before, before, last}};
@@ -51,7 +38,7 @@ PrecisionScene hung(const std::string& name, Real stiffness, Real damping, bool 
 /// deep as a part of its radius, which no step makes smaller.
 PrecisionScene dropped(bool quick) {
     Settings settings;
-    settings.cloths = {sheet(quick ? 6 : 12, 300, Real(0.2))};
+    settings.cloths = {sheet_of(quick ? 6 : 12, 300, Real(0.2))};
     settings.cloths.front().centred = true;
     const Real gap = Real(0.2), radius = Real(0.05);
     BallSettings ball;
