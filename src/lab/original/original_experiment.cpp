@@ -16,7 +16,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/hierarchy/hierarchy_run.h"
-#include "original.h"
 
 namespace drape {
 namespace {
@@ -24,6 +23,13 @@ namespace {
 constexpr const char* original_scene = "original";
 constexpr double frame_rate = 60;  // frames per simulated second, as drape-capture's
 constexpr const char* picture_size = "640x480";
+constexpr int first_frame = 20;  // that is measured: before it the cloth comes to lie on the ball
+
+/// How much of the scene is measured.
+struct OriginalPlan {
+    int frames;
+    int passes;  ///< of the recorded frames, to time build and search
+};
 
 /// One way in which the original's scene is run.
 struct OriginalWay {
@@ -66,16 +72,16 @@ Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
 
     Simulation simulation(original_scene, settings);
     std::vector<double> frames;
-    for (int frame = 0; frame < plan.first + plan.frames; ++frame) {
+    for (int frame = 0; frame < first_frame + plan.frames; ++frame) {
         const double seconds = cpu_time_of([&] {
             for (int k = 0; k < steps; ++k) simulation.step();
         });
-        if (frame >= plan.first) frames.push_back(seconds);
+        if (frame >= first_frame) frames.push_back(seconds);
     }
     if (simulation.report().contacts == 0) throw RunError("original: the cloth does not lie on the ball");
 
     const RecordedMotion motion =
-        record_motion({original_scene, plan.first / frame_rate, 1 / frame_rate, std::max(plan.frames, 2)}, settings);
+        record_motion({original_scene, first_frame / frame_rate, 1 / frame_rate, plan.frames}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
     Row row{{"volume", way.volume},
             {"bounds_drawn", way.bounds_drawn ? "1" : "0"},
@@ -86,9 +92,9 @@ Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
     return row;
 }
 
-/// The median of a column of a table of numbers, whose first line after comments has the names.
-/// @param first row that counts
-double column_median(const std::filesystem::path& file, const std::string& column, int first) {
+/// The median over the measured frames of a column of a table of numbers, whose first line after comments has the
+/// names.
+double column_median(const std::filesystem::path& file, const std::string& column) {
     std::ifstream in(file);
     std::string line;
     while (std::getline(in, line) && line.starts_with('#')) {
@@ -99,25 +105,26 @@ double column_median(const std::filesystem::path& file, const std::string& colum
     for (int row = 0; std::getline(in, line); ++row) {
         const auto cells = parse_reals(line);
         if (!cells || place >= cells->size()) throw RunError(file.string() + ": has no numbers in a column " + column);
-        if (row >= first) values.push_back((*cells)[place]);
+        if (row >= first_frame) values.push_back((*cells)[place]);
     }
     if (values.empty()) throw RunError(file.string() + ": has too few rows");
     return quartiles_of(std::move(values)).median;
 }
 
 /// What `drape-capture` says of the pictures.
+/// @throws RunError if it fails, or does not say it
 Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program) {
     std::string stats = (std::filesystem::temp_directory_path() / "drape-XXXXXX").string();
     const int made = mkstemp(stats.data());
     if (made < 0) throw RunError(stats + ": cannot be made");
     close(made);
     const std::shared_ptr<void> removed_at_the_end(nullptr, [&stats](void*) { unlink(stats.c_str()); });
-    const std::string frames = std::to_string(plan.first + plan.frames), rate = real_text(frame_rate);
+    const std::string frames = std::to_string(first_frame + plan.frames), rate = real_text(frame_rate);
     std::vector<std::string> words{program.string(), original_scene, "--frames", frames, "--fps", rate,
                                    "--size",         picture_size,   "--stats",  stats,  "--set"};
     for (const std::string& assignment : original_assignments(way)) words.push_back(assignment);
     if (run_child(words) != 0) throw RunError(program.string() + " failed on the scene " + original_scene);
-    const auto median = [&](const char* column) { return column_median(stats, column, plan.first); };
+    const auto median = [&](const char* column) { return column_median(stats, column); };
     return {{"rate_per_s", median("rate")},
             {"gl_calls", median("gl_calls")},
             {"cpu", median("cpu")},
@@ -127,25 +134,22 @@ Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::f
 ExperimentCases original_cases(bool quick) {
     const OriginalPlan plan{.frames = quick ? 12 : 40, .passes = quick ? 5 : 15};
     const auto run = [plan, told = std::make_shared<bool>(false)] {
+        Rows rows;
+        // What is compared is timed close together: the clock of a processor that others use comes and goes
+        for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
         const auto program = program_folder() / "drape-capture";
         if (!exists(program) && !std::exchange(*told, true)) {
             tell("There is no " + program.string() + ": frame rate, calls, CPU use and vertices stay empty.");
         }
-        return original_rows(plan, program);
+        for (std::size_t k = 0; k < rows.size() && exists(program); ++k) {
+            rows[k].set(draw_original(original_ways[k], plan, program));
+        }
+        return rows;
     };
     return ExperimentCases(quick ? 3 : 7, run);
 }
 
 }  // namespace
-
-Rows original_rows(const OriginalPlan& plan, const std::filesystem::path& program) {
-    Rows rows;
-    // What is compared is timed close together: the clock of a processor that others use comes and goes
-    for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
-    if (!exists(program)) return rows;
-    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].set(draw_original(original_ways[k], plan, program));
-    return rows;
-}
 
 Experiment original_experiment() {
     const auto if_drawn = [](const char* name) { return number_column(name).or_words({""}); };
