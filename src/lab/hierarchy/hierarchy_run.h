@@ -10,7 +10,7 @@
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 #include "drape/scene/settings.h"
-#include "lab/experiment/row.h"
+#include "lab/experiment/experiment.h"
 
 namespace drape {
 
