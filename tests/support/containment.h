@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -70,12 +71,16 @@ inline Patch whole(const Points& x, const Grid& grid) {
     return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
 }
 
-/// The farthest that a particle of a patch stands out of a volume.
+/// The farthest that a particle of a patch stands out of a volume; NaN if one does.
 template <class Volume>
 long double farthest_out(const Volume& volume, const Patch& patch) {
     long double most = -std::numeric_limits<long double>::infinity();
     for (int j = 0; j < patch.rows; ++j) {
-        for (int i = 0; i < patch.columns; ++i) most = std::max(most, stands_out(volume, patch.at(i, j)));
+        for (int i = 0; i < patch.columns; ++i) {
+            const long double out = stands_out(volume, patch.at(i, j));
+            if (std::isnan(out)) return out;
+            most = std::max(most, out);
+        }
     }
     return most;
 }
