@@ -158,11 +158,10 @@ TYPED_TEST(EveryKindOfVector, GivesEveryNodeTheSameBits) {
 }
 
 TEST(PlainSphere, IsWhatTheKernelFits) {
-    for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
-        const auto fit = static_cast<SphereFit>(k);
+    for (const SphereFit fit : values_of<SphereFit>()) {
         const auto vector = sphere_fit_of(fit, Kernels::Vector), plain = sphere_fit_of(fit, Kernels::Plain);
         EXPECT_NE(vector, plain);
-        EXPECT_EQ(disagreements<BoundingSphere>(vector, plain, Real(1e-12)), 0) << names_of<SphereFit>()[k];
+        EXPECT_EQ(disagreements<BoundingSphere>(vector, plain, Real(1e-12)), 0) << name_of(fit);
     }
 }
 

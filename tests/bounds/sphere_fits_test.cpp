@@ -53,14 +53,12 @@ Real smallest_radius_by_trying_all(const Points& x) {
     return best;
 }
 
-SphereFit kind_at(std::size_t k) { return static_cast<SphereFit>(k); }
-
 /// Calls visit(fit, name) for every fit, plain and by vector kernels.
 template <class Visit>
 void for_each_fit(Visit visit) {
     for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
-        for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
-            visit(sphere_fit_of(kind_at(k), kernels), name_of(kernels) + " " + names_of<SphereFit>()[k]);
+        for (const SphereFit kind : values_of<SphereFit>()) {
+            visit(sphere_fit_of(kind, kernels), name_of(kernels) + " " + name_of(kind));
         }
     }
 }
@@ -174,14 +172,14 @@ TEST(SphereFits, AreChosenBySetting) {
     std::mt19937 random(12);
     const Grid grid{17, 13};
     const Points x = test::random_cloth(grid, random);
-    for (std::size_t k = 0; k < names_of<SphereFit>().size(); ++k) {
-        const auto tree = make_broad_phase({.sphere_fit = kind_at(k)}, grid);
+    for (const SphereFit kind : values_of<SphereFit>()) {
+        const auto tree = make_broad_phase({.sphere_fit = kind}, grid);
         tree->build(x);
         std::vector<NodeView> root;
         tree->nodes_at(0, root);
         EXPECT_EQ(std::get<BoundingSphere>(root.at(0).volume).radius,
-                  sphere_fit_of(kind_at(k), Kernels::Vector)(whole(x, grid)).radius)
-            << names_of<SphereFit>()[k];
+                  sphere_fit_of(kind, Kernels::Vector)(whole(x, grid)).radius)
+            << name_of(kind);
     }
 }
 

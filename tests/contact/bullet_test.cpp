@@ -97,10 +97,10 @@ Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls) {
 /// Every volume by every update.
 Shots shoot_all(int steps, int balls) {
     Shots sum;
-    for (std::size_t volume = 0; volume < names_of<VolumeKind>().size(); ++volume) {
-        for (const UpdateKind update : test::all_updates()) {
-            const Shots shots = shoot({.volume = static_cast<VolumeKind>(volume), .update = update}, steps, balls);
-            EXPECT_EQ(shots.through, 0) << names_of<VolumeKind>()[volume] << ", " << name_of(update);
+    for (const VolumeKind volume : values_of<VolumeKind>()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
+            const Shots shots = shoot({.volume = volume, .update = update}, steps, balls);
+            EXPECT_EQ(shots.through, 0) << name_of(volume) << ", " << name_of(update);
             sum.shots += shots.shots, sum.through += shots.through, sum.discrete += shots.discrete;
         }
     }

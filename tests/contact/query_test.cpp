@@ -122,7 +122,7 @@ protected:
     long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls) {
         long disagreements = 0;
         std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
-        for (const UpdateKind update : test::all_updates()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
             for (int cloth = 0; cloth < cloths; ++cloth) {
                 Points from = scale * test::random_cloth(grid, random), to = scale * test::random_cloth(grid, random);
                 if (cloth % 5 == 3) from.leftCols(2).setConstant(Real(0.1) * scale), to.leftCols(2).setZero();

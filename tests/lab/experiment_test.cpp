@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "drape/base/folder_lock.h"
-#include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {

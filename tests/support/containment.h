@@ -58,13 +58,6 @@ using AllVolumes = TypesOf<AnyVolume>::Types;
 /// One of each sort, for what does not depend on the number of slabs.
 using UnlikeVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<18>, Obb>;
 
-/// Every update there is.
-inline std::vector<UpdateKind> all_updates() {
-    std::vector<UpdateKind> updates;
-    for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) updates.push_back(static_cast<UpdateKind>(u));
-    return updates;
-}
-
 /// Names typed tests by their volume.
 struct VolumeNames {
     template <class V>
