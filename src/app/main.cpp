@@ -33,10 +33,8 @@ namespace {
     std::vector<std::string> words{program};
     if (options.tour) {
         words.emplace_back("--tour");
-    } else if (!options.start.scene.empty()) {
-        words.push_back(options.start.scene);
-    }
-    if (!options.tour) {
+    } else {
+        if (!options.start.scene.empty()) words.push_back(options.start.scene);
         for (const std::string& setting : options.start.assignments) words.insert(words.end(), {"--set", setting});
         if (!options.start.versus.empty()) words.insert(words.end(), {"--versus", options.start.versus});
         if (!options.start.replay.empty()) words.insert(words.end(), {"--replay", options.start.replay});

@@ -43,8 +43,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       shown_(camera_),
       video_(signals),
       first_scene_(session.simulation().scene()),
-      assignments_(options.start.assignments),
-      keeps_size_(keeps_size(options)) {
+      options_(options) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
     if (options.check) check_.emplace();
@@ -75,7 +74,7 @@ int Window::run() {
     schedule();
     glutMainLoop();
     if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
-    if (keeps_size_ && width_ > 0 && height_ > 0) keep_window_size({width_, height_});
+    if (keeps_size(options_) && width_ > 0 && height_ > 0) keep_window_size({width_, height_});
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -247,7 +246,7 @@ void Window::follow_scene_file(double elapsed) {
         return tell("drape: " + scene_error_);
     }
     follow(again);
-    for (const std::string& assignment : assignments_) {
+    for (const std::string& assignment : options_.start.assignments) {
         if (again.name == first_scene_ && assignment.find('=') != std::string::npos)
             carry_out(command::Set{assignment});
     }

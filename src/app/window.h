@@ -22,7 +22,6 @@
 #include "options.h"
 #include "picture_pace.h"
 #include "pointer.h"
-#include "scene_clock.h"
 #include "scene_watch.h"
 #include "shot_repeat.h"
 #include "steering.h"
@@ -34,7 +33,7 @@ namespace drape {
 class Window {
 public:
     /// Opens the window.
-    /// @param options its size, `tour` and `check`
+    /// @param options outlive the window
     /// @param signals that end it
     /// @pre glutInit was called
     Window(Session& session, const Options& options, const StopSignals& signals);
@@ -86,7 +85,6 @@ private:
     [[nodiscard]] std::vector<Command> safe_step();
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
-    void compare(const Entry& entry);
     void go_to_stop(int stop);
     void leave_tour();
     void forget_hint();
@@ -133,9 +131,8 @@ private:
     std::string told_failure_;  ///< of which it tells
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;
-    std::string first_scene_;  ///< with which the program began, and the settings that it was given
-    std::vector<std::string> assignments_;
-    bool keeps_size_;               ///< for the next time
+    std::string first_scene_;  ///< with which the program began
+    const Options& options_;
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
     double frame_time_ = 1.0 / 60;  ///< from tick to tick [s]
     double drawing_time_ = 0;       ///< of the last picture, as far as nothing else was done meanwhile [s]

@@ -116,14 +116,13 @@ void Window::on_choice(int number) {
     give(entry);
 }
 
-void Window::compare(const Entry& entry) {
-    if (!carry_out(parse_command(entry.command))) return;
-    for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
-    carry_out(command::Compare{entry.versus});
-}
-
 void Window::give(const Entry& entry) {
-    if (entry.manner == Manner::Compare) return compare(entry);
+    if (entry.manner == Manner::Compare) {
+        if (!carry_out(parse_command(entry.command))) return;
+        for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
+        carry_out(command::Compare{entry.versus});
+        return;
+    }
     if (entry.manner == Manner::Search) {
         steering_.release_all();
         dirty_ = true;

@@ -78,7 +78,7 @@ public:
             write_stats_head(stats_.stream(), columns_);
         }
         if (options_.drawing()) {
-            context_ = std::make_unique<OffscreenContext>(options_.context);
+            context_ = make_context(options_.context);
             renderer_ = std::make_unique<Renderer>();
             renderer_->resize(options_.size.width, options_.size.height);
             start_scene();
@@ -217,7 +217,7 @@ private:
     std::optional<FrameWriter> frames_;
     std::optional<VideoPipe> video_;
     OutputFile stats_, state_;
-    std::unique_ptr<OffscreenContext> context_;
+    std::optional<GlContext> context_;
     std::unique_ptr<Renderer> renderer_;
     Progress progress_;
     std::vector<StatsColumn> columns_;  ///< of `stats_`

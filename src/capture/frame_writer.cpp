@@ -45,7 +45,11 @@ FrameWriter::FrameWriter(files::path folder, int frames, bool again)
         throw RunError("--out " + folder_.string() + ": " + (error ? error.message() : "is no folder"));
     }
     lock_.emplace(folder_ / "frames");
-    look_around();
+    for (const auto& entry : files::directory_iterator(folder_)) {
+        const std::string name = entry.path().filename().string();
+        if (is_frame_name(name)) older_.insert(name);
+        if (name.starts_with("." + std::string(prefix))) remove_left_over(entry.path());
+    }
     if (!again && !older_.empty()) {
         throw InputError("--out " + folder_.string() + ": there is " + *older_.begin() +
                          " of an earlier run: name another folder, or --again to replace its frames");
@@ -54,14 +58,6 @@ FrameWriter::FrameWriter(files::path folder, int frames, bool again)
         probe(folder_);
     } catch (const RunError& failure) {
         throw RunError("--out " + folder_.string() + " takes no files: " + failure.what());
-    }
-}
-
-void FrameWriter::look_around() {
-    for (const auto& entry : files::directory_iterator(folder_)) {
-        const std::string name = entry.path().filename().string();
-        if (is_frame_name(name)) older_.insert(name);
-        if (name.starts_with("." + std::string(prefix))) remove_left_over(entry.path());
     }
 }
 

@@ -45,8 +45,6 @@ public:
     static bool is_frame(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 private:
-    void look_around();
-
     std::filesystem::path folder_;
     std::size_t digits_;
     std::filesystem::path last_;

@@ -36,14 +36,14 @@
 namespace {
 
 // Like OpenGL's context itself, this belongs to the whole program.
-const drape::GlContext* asked_context = nullptr;
+decltype(drape::GlContext::function) asked_function = nullptr;
 
 #define DRAPE_GL_POINTER(result, name, parameters, arguments) decltype(&name) found_##name = nullptr;
 DRAPE_GL_FUNCTIONS(DRAPE_GL_POINTER)
 
 template <class Function>
 void find_function(Function& found, const char* name) {
-    found = reinterpret_cast<Function>(asked_context->function(name));
+    found = reinterpret_cast<Function>(asked_function(name));
     if (found == nullptr) throw drape::RunError(std::string("the OpenGL context has no ") + name);
 }
 
@@ -60,38 +60,43 @@ using GlFunction = void (*)();
 GlFunction glXGetProcAddressARB(const GLubyte* name);
 GlFunction glXGetProcAddressARB(const GLubyte* name) {
     const char* text = reinterpret_cast<const char*>(name);
-    return std::string_view(text).starts_with("glX") ? nullptr : asked_context->function(text);
+    return std::string_view(text).starts_with("glX") ? nullptr : asked_function(text);
 }
 }
 
 namespace drape {
 
 void load_gl_functions(const GlContext& context) {
-    asked_context = &context;
+    asked_function = context.function;
 #define DRAPE_GL_FIND(result, name, parameters, arguments) find_function(found_##name, #name);
     DRAPE_GL_FUNCTIONS(DRAPE_GL_FIND)
     start_glew();
 }
 
-std::unique_ptr<GlContext> make_context(ContextKind kind, const MakeContext& osmesa, const MakeContext& egl) {
-    if (kind == ContextKind::Egl) return egl();
-    if (kind == ContextKind::Osmesa) return osmesa();
+namespace {
+
+GlContext context_of(ContextKind kind) {
+    if (kind == ContextKind::Egl) return make_egl_context();
     std::string why;
     try {
-        return osmesa();
+        return make_osmesa_context();
     } catch (const RunError& error) {
+        if (kind == ContextKind::Osmesa) throw;
         why = error.what();
     }
     try {
-        return egl();
+        return make_egl_context();
     } catch (const RunError& error) {
         throw RunError("no picture can be drawn without a display: " + why + "; " + error.what());
     }
 }
 
-OffscreenContext::OffscreenContext(ContextKind kind)
-    : context_(make_context(kind, make_osmesa_context, make_egl_context)) {
-    load_gl_functions(*context_);
+}  // namespace
+
+GlContext make_context(ContextKind kind) {
+    GlContext context = context_of(kind);
+    load_gl_functions(context);
+    return context;
 }
 
 }  // namespace drape

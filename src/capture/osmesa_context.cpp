@@ -41,31 +41,19 @@ Library open_library() {
     return library;  // which stays open: its driver has threads of its own
 }
 
-class Osmesa : public GlContext {
-public:
-    Osmesa() : library_(open_library()) {
-        constexpr std::array<int, 11> wanted{format,     GL_RGBA, profile, core_profile, major, 3, minor, 3,
-                                             depth_bits, 0,       0};
-        context_ = library_.create(wanted.data(), nullptr);
-        if (context_ == nullptr) throw RunError("OSMesa has no OpenGL 3.3 core context");
-        if (!library_.make_current(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1)) {
-            library_.destroy(context_);
-            throw RunError("OSMesa's OpenGL context cannot be made current");
-        }
-    }
-
-    ~Osmesa() override { library_.destroy(context_); }
-
-    [[nodiscard]] Function function(const char* name) const override { return library_.function(name); }
-
-private:
-    Library library_;
-    void* context_ = nullptr;
-    std::array<unsigned char, 4> pixel_{};  ///< OSMesa wants a buffer, though nothing is drawn there
-};
-
 }  // namespace
 
-std::unique_ptr<GlContext> make_osmesa_context() { return std::make_unique<Osmesa>(); }
+GlContext make_osmesa_context() {
+    constexpr std::array<int, 11> wanted{format, GL_RGBA, profile, core_profile, major, 3, minor, 3, depth_bits, 0, 0};
+    const Library library = open_library();
+    void* const made = library.create(wanted.data(), nullptr);
+    if (made == nullptr) throw RunError("OSMesa has no OpenGL 3.3 core context");
+    const GlContext context{{made, library.destroy}, library.function};
+    static std::array<unsigned char, 4> pixel;  // OSMesa wants a buffer, though nothing is drawn there
+    if (!library.make_current(made, pixel.data(), GL_UNSIGNED_BYTE, 1, 1)) {
+        throw RunError("OSMesa's OpenGL context cannot be made current");
+    }
+    return context;
+}
 
 }  // namespace drape

@@ -17,7 +17,7 @@ int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
     check_picture_memory(options.size);
     const auto stops = tour_stops();
     FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
-    const OffscreenContext context(options.context);
+    const GlContext context = make_context(options.context);
     Renderer renderer;
     renderer.resize(options.size.width, options.size.height);
     Progress progress(stops.size(), "picture");

@@ -4,7 +4,10 @@
 # caption: with a continuous search, at a step a hundred times smaller.
 # Contacts that are missed, by the travel of the ball in a step, and what is left to the response against time: a column of
 # panels for each search, a line for each speed of the ball.
-# searches: SEARCH.TESTS, the number of tests after which a limited one ends; speeds: of the ball [m/s]
+# Of searches SEARCH.TESTS, the number of tests after which a limited one ends; speeds of the ball [m/s]
+searches = ''; speeds = ''
+stats table using (searches = listed(searches, strcol('search').'.'.strcol('tests')), \
+  speeds = listed(speeds, strcol('speed_m_per_s')), 0) nooutput
 eval paper(560)
 # Of the ball, as contact_experiment.cpp has it [mm]
 diameter = 300

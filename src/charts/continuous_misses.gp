@@ -1,6 +1,7 @@
 # caption: The part of the shots that pass a target unseen, against the diameters that the ball moves in a step: by
 # caption: discrete detection, beside what is predicted for it, and by continuous detection.
-# targets: what was shot at
+targets = ''
+stats table using (is('part', 'misses') ? (targets = listed(targets, strcol('target')), 0) : 0) nooutput
 eval paper(430)
 eval frame(65, 30, 55, 70)
 set logscale x

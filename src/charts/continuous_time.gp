@@ -1,6 +1,7 @@
 # caption: CPU time of the build and of the search, query and exact test, at the positions after a step and over all of
 # caption: it: medians with quartiles.
-# detections: what was measured
+detections = ''
+stats table using (is('part', 'time') ? (detections = listed(detections, strcol('detection')), 0) : 0) nooutput
 eval paper(430)
 eval panels(1, 2, 70, 105, 55, 90, 70, 0)
 set logscale xy

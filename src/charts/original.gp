@@ -2,8 +2,36 @@
 # caption: time of all steps of a frame, without drawing; and the frame rate. Medians over runs, with quartiles. Hatched:
 # caption: the bounds of a level are in the picture, as the original drew its spheres.
 # The axes are linear from zero. The published values are in the page's text.
-# data: test (1 execution of a frame, 2 frame rate, 6 build and search), position, volume, drawn, median, lower, upper,
-# and the figure as text
+# The bars, in a file beside the table: test (1 execution of a frame, 2 frame rate, 6 build and search), position, volume,
+# drawn, median, lower, upper, and the figure as text. Between two values a quartile is interpolated. Searches are timed
+# without drawing: their rows with bounds and without are of one kind, which -1 stands for
+data = name.'_data.csv'
+rows = 0
+stats table using (rows = rows + 1, 0) nooutput
+array values[rows]
+taken(value) = value != value ? 0 : (count = count + 1, values[count] = value, 0)
+rank(k) = sum [j = 1:count] (values[j] < values[k] || (values[j] == values[k] && j < k))
+nth(n) = sum [k = 1:count] (rank(k) == n ? values[k] : 0)
+between(n, part) = part > 0 ? nth(n) + part * (nth(n + 1) - nth(n)) : nth(n)
+quartile(q) = between(floor(q * (count - 1) / 4.), q * (count - 1) / 4. - floor(q * (count - 1) / 4.))
+bar(its_test, place, volume, drawn, column_name, factor, digits) = sprintf("count = 0; stats table using \
+  (is('volume', '%s') && (%d < 0 || column('bounds_drawn') == %d) ? taken(%g * column('%s')) : 0) nooutput; \
+  if (count > 0) { print sprintf('%d,%d,%s,%d,%%.8g,%%.8g,%%.8g,%%.%dg', quartile(2), quartile(1), quartile(3), quartile(2)) }", \
+  volume, drawn, drawn, factor, column_name, its_test, place, volume, drawn > 0, digits)
+set print data
+print 'test,position,volume,drawn,median,lower,upper,text'
+do for [k = 0:3] {
+  volume = word('sphere aabb', 1 + k % 2)
+  eval bar(1, k, volume, k > 1, 'execution_s', 1e3, 4)
+  eval bar(2, k, volume, k > 1, 'rate_per_s', 1, 3)
+}
+do for [n = 1:4] {
+  do for [k = 1:2] {
+    eval bar(6, 3 * (n - 1) + k - 1, word('sphere aabb', k), -1, \
+      word('build_s search_s single_build_s single_search_s', n), 1e6, 2)
+  }
+}
+set print
 eval paper(460)
 # A figure of spheres over that of boxes
 array figure[2]

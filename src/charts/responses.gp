@@ -1,7 +1,8 @@
 # caption: A sheet that falls onto the ground, by its step: the errors of the time of the impact and of the height to
 # caption: which it bounces; and how fast a sheet drifts that should stick to a slope.
 # Errors of the responses against the step: impact, bounce, friction; and against what they cost.
-# responses: their names
+responses = ''
+stats table using (is('part', 'step') ? (responses = listed(responses, strcol('response')), 0) : 0) nooutput
 eval paper(620)
 colour(response) = response eq 'projection' ? blue : response eq 'penalty' ? red : response eq 'impulse' ? green : pink
 marker(response) = response eq 'projection' ? 7 : response eq 'penalty' ? 5 : response eq 'impulse' ? 9 : 12

@@ -2,7 +2,8 @@
 # caption: steps that end with cloth across cloth, the error of the momentum that is passed on, and the tests of pairs,
 # caption: against the step. Rings mark runs in which the search gave up.
 # What response and fail-safe leave, against the step: a column of panels for each fail-safe, and for none.
-# thicknesses: of the sheets [mm]
+thicknesses = ''  # of the sheets [mm]
+stats table using (thicknesses = listed(thicknesses, sprintf('%.4g', 1e3 * column('thickness_m'))), 0) nooutput
 eval paper(680)
 number(word) = word + 0
 colour(mm) = mm < 0.2 ? pink : mm < 1 ? red : mm < 4 ? blue : green

@@ -9,6 +9,7 @@
 #include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/solid_shape.h"
+#include "pairs/pair_tests.h"
 
 namespace drape {
 namespace {
@@ -71,10 +72,13 @@ Real square_between(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>&
     };
     if (pierces(first, second) || pierces(second, first)) return -1;
     for (const Vec3& corner : second) square = std::min(square, square_to_triangle(corner, first));
+    Real distance = with_rounding(std::sqrt(square));
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t l = 0; l < 3; ++l) {
-            const auto sides = closest_of_segments(first[k], first[(k + 1) % 3], second[l], second[(l + 1) % 3]);
-            square = std::min(square, sides.offset.squaredNorm());
+            const Vec3 &a = first[k], &b = first[(k + 1) % 3], &c = second[l], &d = second[(l + 1) % 3];
+            if (segments_are_apart(a, b, c, d, distance)) continue;
+            const Real off = closest_of_segments(a, b, c, d).offset.squaredNorm();
+            if (off < square) square = off, distance = with_rounding(std::sqrt(square));
         }
     }
     return square;

@@ -8,20 +8,33 @@
 #include <vector>
 
 #include "drape/base/command_line.h"
-#include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/contact/detection.h"
 #include "drape/scene/setting_table.h"
-#include "positions.h"
+#include "line_reader.h"
 
 namespace drape {
 namespace {
+
+constexpr double largest_coordinate = 1e12;  // m
+constexpr std::size_t longest_position_line = 4096;
 
 struct CollideOptions {
     std::string grid, positions, ball;
     std::vector<std::string> assignments;
 };
+
+/// Reads "1,2,3" into exactly `count` finite numbers.
+/// @param where starts the error
+/// @throws InputError
+std::vector<double> parse_numbers(const std::string& text, std::size_t count, const std::string& where) {
+    const auto numbers = parse_reals(text);
+    const auto fits = [](double x) { return x >= -largest_coordinate && x <= largest_coordinate; };
+    if (numbers && numbers->size() == count && std::ranges::all_of(*numbers, fits)) return *numbers;
+    throw InputError(fmt::format("{}{}: allowed {} numbers with commas between, each of size at most {}", where,
+                                 shortened(text), count, real_text(largest_coordinate)));
+}
 
 Grid parse_grid(const std::string& text) {
     const auto size = parse_integers(text, 'x');
@@ -68,6 +81,21 @@ void collide(const CollideOptions& options) {
 }
 
 }  // namespace
+
+Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
+    Points x(grid.particles(), 3);
+    LineReader reader(in, file, longest_position_line);
+    int row = 0;
+    for (; reader.next() != LineEnd::None; ++row) {
+        if (row == grid.particles()) reader.fail("more rows than the grid's {} particles", grid.particles());
+        const auto values = parse_numbers(reader.line(), 3, reader.where());
+        for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
+    }
+    if (row < grid.particles()) {
+        throw InputError(fmt::format("{}: {} rows: the grid has {} particles", file, row, grid.particles()));
+    }
+    return x;
+}
 
 void add_collide(CommandLine& line) {
     auto options = std::make_shared<CollideOptions>();

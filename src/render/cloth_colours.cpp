@@ -119,8 +119,4 @@ void ClothColours::collect_groups(const FrameView& view) {
     }
 }
 
-void ClothColours::fill(std::span<ClothVertex> vertices) const {
-    for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
-}
-
 }  // namespace drape

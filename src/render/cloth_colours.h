@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloth_mesh.h"
-#include "node_states.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 
@@ -50,7 +50,9 @@ public:
 
     /// Into vertices that follow one another as the cloths do: of the scale in [0, 1]; or the number of a group, which
     /// the triangles of a cell take from its corner b.
-    void fill(std::span<ClothVertex> vertices) const;
+    void fill(std::span<ClothVertex> vertices) const {
+        for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
+    }
 
 private:
     void collect_values(const FrameView& view);

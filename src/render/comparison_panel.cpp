@@ -1,4 +1,4 @@
-#include "comparison_panel.h"
+#include "panels.h"
 
 #include <imgui.h>
 
@@ -6,9 +6,6 @@
 #include <array>
 #include <string>
 #include <vector>
-
-#include "format_text.h"
-#include "overlay_style.h"
 
 namespace drape {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "cloth_colours.h"
-#include "node_states.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 

@@ -10,8 +10,6 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
-#include "format_text.h"
-#include "overlay_style.h"
 
 namespace drape {
 

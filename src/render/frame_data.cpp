@@ -7,7 +7,7 @@
 
 #include "cloth_colours.h"
 #include "drape/session/unstable_mode.h"
-#include "node_states.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 
@@ -84,20 +84,15 @@ void light_the_scene(const FrameView& view, const Camera& camera, std::span<cons
     data.shadow = {2 * half.head<2>().maxCoeff() / static_cast<float>(texels), 0, 0.5f / half.x(), 0.5f / half.y()};
 }
 
-// A solid darkens what is about it like a ball in its middle
-Eigen::Vector4f dark_ball(const FrameView& view, std::size_t number) {
-    const Eigen::AlignedBox3f box = drawn_solid_box(view, number, Eigen::Matrix3f::Identity());
-    const std::array<Vec3, 2> extent = view.solids[number].shape->extent();
-    Eigen::Vector4f ball;
-    ball << box.center(), static_cast<float>((extent[1] - extent[0]).minCoeff() / 2);
-    return ball;
-}
-
-// @return how many of them there are
+// A solid darkens what is about it like a ball in its middle. @return how many of them there are
 int list_dark_balls(const FrameView& view, std::array<Eigen::Vector4f, FrameData::most_balls>& dark) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < view.balls.size() && count < dark.size(); ++i) dark[count++] = drawn_ball(view, i);
-    for (std::size_t i = 0; i < view.solids.size() && count < dark.size(); ++i) dark[count++] = dark_ball(view, i);
+    for (std::size_t i = 0; i < view.solids.size() && count < dark.size(); ++i) {
+        const std::array<Vec3, 2> extent = view.solids[i].shape->extent();
+        dark[count++] << drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).center(),
+            static_cast<float>((extent[1] - extent[0]).minCoeff() / 2);
+    }
     return static_cast<int>(count);
 }
 
@@ -173,28 +168,6 @@ Eigen::Vector4f drawn_orientation(const FrameView& view, std::size_t number) {
         orientation = view.previous_balls[number].orientation.slerp(view.blend, orientation);
     }
     return orientation.coeffs().cast<float>();
-}
-
-Extent drawn_extent(const FrameView& view) {
-    Eigen::AlignedBox<Real, 3> box;
-    for (const ClothView& cloth : view.cloths) {
-        if (cloth.x.rows() == 0) continue;
-        box.extend(Vec3(cloth.x.colwise().minCoeff()));
-        box.extend(Vec3(cloth.x.colwise().maxCoeff()));
-    }
-    for (const Ball& ball : view.balls) {
-        box.extend(Vec3(ball.centre.array() - ball.radius));
-        box.extend(Vec3(ball.centre.array() + ball.radius));
-    }
-    for (std::size_t i = 0; i < view.solids.size(); ++i) {
-        box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
-    }
-    Extent extent;
-    if (!box.isEmpty() && box.sizes().allFinite()) {
-        extent.centre = box.center().cast<float>();
-        extent.radius = std::max(0.01f, 0.5f * static_cast<float>(box.diagonal().norm()));
-    }
-    return extent;
 }
 
 FrameData make_frame_data(const FrameView& view, const Camera& camera, const PictureSize& picture,

@@ -35,13 +35,6 @@ struct FrameData {
     std::array<int, 4> style;                    ///< number of the fabric, number of the palette
 };
 
-/// A sphere around all cloths, balls and solids as they are drawn.
-struct Extent {
-    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
-    float radius = 1;
-};
-Extent drawn_extent(const FrameView& view);
-
 /// Where a particle is drawn: between its last two positions, if there are two [m].
 Vec3 drawn_particle(const ClothView& cloth, Real blend, int particle);
 

@@ -1,10 +1,8 @@
-#include "key_panels.h"
+#include "panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
-
-#include "overlay_style.h"
 
 namespace drape {
 
@@ -104,7 +102,7 @@ KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, flo
 
 KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
     const float widest = columns_of(lines, unwrapped).width();
-    for (const std::size_t count : {2, 1, 3}) {
+    for (const std::size_t count : {2u, 1u, 3u}) {
         const auto columns = static_cast<float>(count);
         const float each = (width - 2 * margin - (columns - 1) * columns_apart * margin) / columns;
         if (each < std::min(widest, least_column * ImGui::GetFontSize())) continue;

@@ -7,8 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "overlay_style.h"
-
 namespace drape {
 
 namespace {
@@ -42,13 +40,13 @@ void MenuPanel::open(std::span<const Entry> entries, const Settings& settings) {
 }
 
 void MenuPanel::type(unsigned char code) {
-    constexpr unsigned char erase = 8, enter = 13, down = 14, up = 16, escape = 27;
+    constexpr unsigned char erase = 8, enter = 13, next = 14, previous = 16, escape = 27;
     if (code == enter) return choose();
     open_ = code != escape;
     moved_ = true;
-    if (code == down && row_ + 1 < found_.size()) ++row_;
-    if (code == up && row_ > 0) --row_;
-    if (code == down || code == up) return;
+    if (code == next && row_ + 1 < found_.size()) ++row_;
+    if (code == previous && row_ > 0) --row_;
+    if (code == next || code == previous) return;
     if (code == erase && !query_.empty()) query_.pop_back();
     const bool opens = code == '/' && query_.empty();  // the key still repeats
     const bool is_letter = code >= ' ' && code < 127 && !opens && query_.size() < 60;

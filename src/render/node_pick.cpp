@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
-#include "format_text.h"
+#include "overlay_style.h"
 
 namespace drape {
 
@@ -30,11 +31,13 @@ std::string length_text(Real length) {
 
 }  // namespace
 
-/// The pointer and what is drawn, in the picture.
+/// The pointer and what is drawn, in the picture, and of the lines so far the one that is nearest to the pointer.
 struct NodePicker::Pointed {
     Eigen::Matrix4f projection;
     Vec3 eye;
-    Eigen::Vector2f size, pointer;  // [pixel]
+    Eigen::Vector2f size, pointer;          // [pixel]
+    float least_distance = catch_distance;  // [pixel]
+    float least_depth = std::numeric_limits<float>::infinity();
 
     /// @return nothing behind the eye
     [[nodiscard]] std::optional<ScreenPoint> project(const Vec3& point) const {
@@ -54,20 +57,21 @@ struct NodePicker::Pointed {
         return (centre->at - pointer).norm() > focus * radius / (centre->depth - radius) + catch_distance;
     }
 
-    /// Calls take(distance, depth) for a line that is seen [pixel].
-    template <class Take>
-    void measure(const Vec3& from, const Vec3& to, Take take) const {
+    /// Whether a line that is seen is nearer than those before it, or as near and before them.
+    [[nodiscard]] bool nears(const Vec3& from, const Vec3& to) {
         const auto a = project(from), b = project(to);
-        if (!a || !b) return;
+        if (!a || !b) return false;
         const Eigen::Vector2f along = b->at - a->at;
         const float length = along.squaredNorm();
         const float part = length > 0 ? std::clamp((pointer - a->at).dot(along) / length, 0.0f, 1.0f) : 0;
-        take((a->at + part * along - pointer).norm(), a->depth + part * (b->depth - a->depth));
+        const float distance = (a->at + part * along - pointer).norm(), depth = a->depth + part * (b->depth - a->depth);
+        const bool nearer = distance < least_distance - 1 || (distance < least_distance && depth < least_depth);
+        if (nearer) least_distance = distance, least_depth = depth;
+        return nearer;
     }
 
     /// The same for the circles of a sphere, as shaders/bounding_sphere.vert draws them.
-    template <class Take>
-    void measure(const Outlines::Sphere& sphere, Take take) const {
+    [[nodiscard]] bool nears(const Outlines::Sphere& sphere) {
         const Vec3 from = (eye - sphere.centre) / sphere.radius;
         const Real far = std::max(from.norm(), Real(1.001));
         const Vec3 ahead = from / far;
@@ -80,9 +84,11 @@ struct NodePicker::Pointed {
                                            ahead / far + rim * (u * side + v * ahead.cross(side))};
             return sphere.centre + sphere.radius * unit[static_cast<std::size_t>(circle)];
         };
+        bool nearer = false;
         for (int circle = 0; circle < 4; ++circle) {
-            for (int k = 0; k < circle_segments; ++k) measure(point(circle, k), point(circle, k + 1), take);
+            for (int k = 0; k < circle_segments; ++k) nearer |= nears(point(circle, k), point(circle, k + 1));
         }
+        return nearer;
     }
 };
 
@@ -90,41 +96,32 @@ std::optional<NodePick> NodePicker::pick(const FrameView& view, const Camera& ca
                                          int height) {
     if (x < 0 || y < 0 || x >= width || y >= height) return std::nullopt;
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
-    const Pointed pointed{camera.projection_matrix(aspect) * camera.view_matrix(),
-                          camera.eye().cast<Real>(),
-                          {static_cast<float>(width), static_cast<float>(height)},
-                          {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}};
-    best_.reset();
-    best_distance_ = catch_distance;
-    best_depth_ = std::numeric_limits<float>::infinity();
+    Pointed pointed{camera.projection_matrix(aspect) * camera.view_matrix(),
+                    camera.eye().cast<Real>(),
+                    {static_cast<float>(width), static_cast<float>(height)},
+                    {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}};
+    std::optional<NodePick> best;
     for (std::size_t c = 0; c < view.cloths.size(); ++c) {
-        look_for_lines(pointed, shown_.list(view, *view.cloths[c].hierarchy), view.cloths[c], c);
+        const BroadPhase& hierarchy = *view.cloths[c].hierarchy;
+        for (const NodeView& node : shown_.list(view, hierarchy)) {
+            if (has_nearer_line(node, hierarchy.slack(), pointed)) best = {.cloth = c, .node = node};
+        }
     }
-    if (!best_) best_ = node_on_cloth(view, camera.ray(x, y, width, height));
-    if (best_) complete(view, *best_);
-    return best_;
+    if (!best) best = node_on_cloth(view, camera.ray(x, y, width, height));
+    if (best) complete(view, *best);
+    return best;
 }
 
-void NodePicker::look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
-                                std::size_t number) {
-    for (const NodeView& node : shown) {
-        BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
-        about.radius += cloth.hierarchy->slack();
-        if (pointed.is_beside(about)) continue;
-        outlines_.clear();
-        touched_.take(cloth.model.grid, {}, false);
-        append_nodes({&node, 1}, cloth.hierarchy->slack(), touched_, outlines_);
-        const auto take = [&](float distance, float depth) {
-            // Of lines that are as near, the one in front
-            const bool nearer = distance < best_distance_ - 1 || (distance < best_distance_ && depth < best_depth_);
-            if (!nearer) return;
-            best_distance_ = distance;
-            best_depth_ = depth;
-            best_ = {.cloth = number, .node = node};
-        };
-        for (const Outlines::Sphere& sphere : outlines_.spheres) pointed.measure(sphere, take);
-        for (const Outlines::Edge& edge : outlines_.edges) pointed.measure(edge.from, edge.to, take);
-    }
+bool NodePicker::has_nearer_line(const NodeView& node, Real slack, Pointed& pointed) {
+    BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
+    about.radius += slack;
+    if (pointed.is_beside(about)) return false;
+    outlines_.clear();
+    append_nodes({&node, 1}, slack, touched_, outlines_);
+    bool nearer = false;
+    for (const Outlines::Sphere& sphere : outlines_.spheres) nearer |= pointed.nears(sphere);
+    for (const Outlines::Edge& edge : outlines_.edges) nearer |= pointed.nears(edge.from, edge.to);
+    return nearer;
 }
 
 std::optional<NodePick> NodePicker::node_on_cloth(const FrameView& view, const Ray& ray) {

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "drape/render/camera.h"
-#include "node_states.h"
-#include "outlines.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 
@@ -30,8 +28,7 @@ public:
 
 private:
     struct Pointed;
-    void look_for_lines(const Pointed& pointed, std::span<const NodeView> shown, const ClothView& cloth,
-                        std::size_t number);
+    bool has_nearer_line(const NodeView& node, Real slack, Pointed& pointed);
     [[nodiscard]] std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray);
     void complete(const FrameView& view, NodePick& pick);
 
@@ -39,8 +36,6 @@ private:
     std::vector<NodeView> nodes_;
     Outlines outlines_;
     TouchedCells touched_;
-    std::optional<NodePick> best_;
-    float best_distance_ = 0, best_depth_ = 0;
 };
 
 /// The gap between a volume and a ball, as the test of the query sees it: by how much the ball must grow to overlap,

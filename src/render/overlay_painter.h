@@ -6,9 +6,8 @@
 #include <cstddef>
 
 #include "drape/base/assert.h"
-#include "gl_objects.h"
+#include "gl.h"
 #include "picture_target.h"
-#include "program.h"
 #include "stream_buffer.h"
 
 namespace drape {
@@ -19,10 +18,8 @@ public:
     /// @pre Dear ImGui's context is there and its fonts are added
     OverlayPainter(Gl& gl, StreamBuffer& stream)
         : gl_(gl),
-          program_(gl, "overlay"),
           array_(gl, stream, Region::OverlayVertices,
-                 {sizeof(ImDrawVert), {{0, 2}, {1, 2}, {2, 4, GL_UNSIGNED_BYTE}}}),  // pos, uv, col
-          atlas_(gl) {
+                 {sizeof(ImDrawVert), {{0, 2}, {1, 2}, {2, 4, GL_UNSIGNED_BYTE}}}) {  // pos, uv, col
         DRAPE_ASSERT(ImGui::GetCurrentContext() != nullptr && !ImGui::GetIO().Fonts->Fonts.empty());
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
@@ -92,9 +89,9 @@ private:
     }
 
     Gl& gl_;
-    Program program_;
+    Program program_{gl_, "overlay"};
     StreamArray array_;
-    Texture atlas_;
+    Texture atlas_{gl_};
     bool shown_ = false;
 };
 

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "contact_forces.h"
-#include "format_text.h"
-#include "panels.h"
 
 namespace drape {
 

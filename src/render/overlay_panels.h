@@ -9,13 +9,10 @@
 #include <vector>
 
 #include "cloth_colours.h"
-#include "comparison_panel.h"
 #include "drape/render/renderer.h"
-#include "hierarchy_panel.h"
-#include "key_panels.h"
 #include "menu_panel.h"
 #include "overlay_style.h"
-#include "panel_boxes.h"
+#include "panels.h"
 #include "plot_history.h"
 #include "settings_panel.h"
 #include "step_medians.h"

@@ -1,18 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "cloth_colours.h"
 #include "drape/render/renderer.h"
-#include "panel_boxes.h"
+#include "drape/session/comparison.h"
+#include "drawn_nodes.h"
+#include "node_pick.h"
+#include "overlay_style.h"
 #include "plot_history.h"
+#include "step_medians.h"
 
 namespace drape {
-
-struct PanelFont;
 
 /// Of the stats panel, where there is room [font size].
 inline constexpr float figures_columns = 16.9f;
@@ -47,12 +52,6 @@ PanelBox timeline_place(const OverlayPage& page);
 /// @return the step that a drag on it asks for
 std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
 
-/// Begins a panel at the lower right, with its title.
-/// @param size of it, its margins included [pixel]
-/// @param taken what is left of this belongs to others [pixel]
-/// @return where its lines begin; nothing where there is no room
-std::optional<ImVec2> begin_legend(const std::string& title, ImVec2 size, float taken, const OverlayPage& page);
-
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.
 /// @param taken what is left of this belongs to others [pixel]
@@ -63,5 +62,76 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
 /// @param title with what a line of full length stands for
 /// @return the height that is taken at the bottom [pixel]
 float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page);
+
+/// The panel that explains drawn bounding volumes, at the lower right: which level of which volume, what the last
+/// query did level by level, how tight they are, and what the colours say. Beside the pointer it names the node there.
+class HierarchyPanel {
+public:
+    /// Nothing where there is no room.
+    /// @param taken what is left of this belongs to others [pixel]
+    /// @return how high it is, with a margin [pixel]
+    float draw(const FrameView& view, float taken, const OverlayPage& page);
+
+    /// Names the node under the pointer, if there is one.
+    /// @param x, y of the pointer [pixel]
+    void name_node(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
+
+private:
+    std::vector<LevelCounts> counts_;
+    std::vector<NodeView> nodes_;
+    TouchedCells touched_;
+    LevelFits fits_;
+    NodePicker picker_;
+};
+
+/// The figures of both simulations of a comparison beside each other at the upper right, and how far apart they are,
+/// with its curve over the last seconds.
+class ComparisonPanel {
+public:
+    /// Keeps how far they are apart.
+    void keep(const FrameView& view);
+
+    /// Makes the panel of a frame. @pre there is a comparison
+    /// @param left, right edges of the room for it; without room it is left out [pixel]
+    /// @return its left edge, or `right` [pixel]
+    float draw(const FrameView& view, const OverlayPage& page, float left, float right) const;
+
+private:
+    static constexpr std::size_t most = 240;
+    StepMedians other_medians_;
+    std::deque<double> distances_;  ///< root mean squares over the particles, from the oldest to now [m]
+    double time_ = 0;               ///< of the last one [s]
+};
+
+/// Widths of keys and of their texts beside them; both are wrapped where they are too long [pixel].
+struct KeyColumns {
+    float keys = 0, gap = 0, texts = 0;
+    [[nodiscard]] float width() const { return keys + gap + texts; }
+};
+
+/// How the lines of a panel stand beside and below one another.
+struct KeyLayout {
+    KeyColumns widths;                ///< of each column
+    std::vector<std::size_t> starts;  ///< the first line of each column
+    float row = 0;                    ///< height of a line [pixel]
+    float height = 0;                 ///< of the highest column [pixel]
+    bool whole = true;                ///< there is room for all of it
+
+    /// Of the panel, its margins included [pixel].
+    [[nodiscard]] ImVec2 size(float margin) const;
+};
+
+/// All lines in the present font, below one another.
+/// @param width that the panel may have, its margins included [pixel]
+/// @param row height of a line [pixel]
+KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, float margin);
+
+/// The same in two columns, or as many as there is room for; else in one that is not whole, where they would be too
+/// high, or too narrow to read.
+/// @param width, height of the room for the panel, its margins included [pixel]
+KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin);
+
+/// Makes the panel in the present window of Dear ImGui, cut where it is higher than its box.
+void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const PanelBox& box, float margin);
 
 }  // namespace drape

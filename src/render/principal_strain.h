@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "drape/sim/frame_view.h"
-#include "outlines.h"
+#include "drawn_nodes.h"
 
 namespace drape {
 

@@ -1,4 +1,4 @@
-#include "program.h"
+#include "gl.h"
 
 #include <fstream>
 #include <vector>

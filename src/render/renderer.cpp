@@ -1,13 +1,14 @@
 #include "drape/render/renderer.h"
 
 #include <algorithm>
+#include <ctime>
 #include <string>
 #include <utility>
 
 #include "cloth_colours.h"
 #include "drape/base/input_error.h"
+#include "drape/base/stopwatch.h"
 #include "frame_data.h"
-#include "frame_meter.h"
 #include "marks.h"
 #include "overlay_painter.h"
 #include "overlay_panels.h"
@@ -46,6 +47,41 @@ void start_glew() {
     }
     if (!GLEW_VERSION_3_3) throw RunError("OpenGL's functions were not found: there is no OpenGL 3.3");
 }
+
+/// Finds frames per second and processor use, averaged over about a second.
+class FrameMeter {
+public:
+    /// A frame has been drawn.
+    void count(FrameReport& report) {
+        ++frames_;
+        const double elapsed = watch_.seconds();
+        const bool over = elapsed >= 1;
+        if (!over && !first_second_) return;
+
+        // In the first second, what there is so far
+        if (elapsed > 0) {
+            report.rate = frames_ / elapsed;
+            report.cpu = static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC / elapsed;
+        }
+        if (!over) return;
+        begin_again();
+        first_second_ = false;
+    }
+
+    /// The pictures so far came now and then: the average begins again with this one.
+    void begin_again() {
+        first_second_ = true;
+        frames_ = 0;
+        processor_start_ = std::clock();
+        watch_.lap();
+    }
+
+private:
+    Stopwatch watch_;
+    std::clock_t processor_start_ = std::clock();
+    int frames_ = 0;
+    bool first_second_ = true;
+};
 
 // In the order in which they are made; each may use those above it.
 struct Renderer::Parts {
@@ -97,11 +133,9 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
     parts.paint(view, use);
     // What is at rest is drawn now and then, which is no rate
     const bool wakes = std::exchange(parts.was_at_rest, is_at_rest(view)) && !is_at_rest(view);
-    wakes ? parts.meter.begin_again() : parts.meter.count();
+    wakes ? parts.meter.begin_again() : parts.meter.count(parts.report);
     ++parts.report.frame;
     parts.report.draw_time = watch.seconds();
-    parts.report.rate = parts.meter.rate();
-    parts.report.cpu = parts.meter.cpu();
     parts.note_cost();
 }
 
@@ -121,10 +155,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     solids.fill(view, colours, {camera.eye(), pixels}, stream);
     marks.fill(view, crosses.lines(), stream);
     painter.fill(overlay, stream);
-    data.counts[0] = marks.springs()[0];
-    data.counts[1] = marks.springs()[1];
-    data.counts[2] = marks.segments();
-    data.shadow[1] = marks.spacing();
+    marks.add_to(data);
     *stream.room<FrameData>(Region::Frame, 1) = data;
     stream.upload();
 }

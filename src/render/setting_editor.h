@@ -8,6 +8,10 @@
 
 namespace drape {
 
+/// Whether the settings panel has a row for a setting: texts, paths, where the view starts and what a scene needs have
+/// none.
+bool has_panel_row(const Setting& setting);
+
 /// The numbers that a slider leads over, which are fewer than the setting accepts.
 struct SliderScale {
     double low, high;
@@ -23,7 +27,7 @@ SliderScale slider_scale(const Setting& setting, double scene_value);
 struct SettingRow {
     const Setting* setting;
     std::string name;  ///< of what it changes: "solver.dt", "ball[1].radius"
-    std::string label, format;
+    std::string format;
     SettingValue value;
     std::optional<SettingValue> of_the_scene;
     SliderScale scale;           ///< of a number
@@ -33,6 +37,10 @@ struct SettingRow {
 /// @param number of the cloth, ball, solid or pins; those of `settings` have it, those of `scene` may not
 SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
                             const Settings& scene);
+
+/// A value to begin a comparison with: the next name, the other of two, twice or half the numbers.
+/// @param row with the value of the run
+SettingValue another_value(const SettingRow& row);
 
 /// Dear ImGui's widgets that change a setting's value: a slider, a box or a list each. It knows which of its widgets is
 /// being changed.

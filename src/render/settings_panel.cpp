@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "drape/base/numbers.h"
-#include "overlay_style.h"
+#include "drape/session/comparison.h"
 
 namespace drape {
 
@@ -19,13 +19,11 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-}  // namespace
-
-bool has_panel_row(const Setting& setting) {
-    const bool is_start_of_view = setting.full_name() == "view.eye" || setting.full_name() == "view.target";
-    return !is_start_of_view && setting.section != "needs" && !setting.section.empty() &&
-           setting.kind != SettingKind::Text && setting.kind != SettingKind::Path;
+bool can_compare(const Setting& setting, const Settings& settings) {
+    return has_panel_row(setting) && setting.section != "view" && section_count(settings, setting) > 0;
 }
+
+}  // namespace
 
 void SettingsPanel::place(const OverlayPage& page) {
     const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
@@ -39,7 +37,7 @@ void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
     constexpr auto flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoFocusOnAppearing;
     if (begin_window(window, "settings", flags, page.margin)) {
-        compare.draw(view, scene_, widget_width());
+        compare_section(view);
         std::string section;
         bool open = false;
         for (const Setting& setting : setting_table()) {
@@ -111,7 +109,7 @@ void SettingsPanel::draw_row(const SettingRow& row) {
     ImGui::SetNextItemWidth(widget_width());
     if (const auto chosen = editor_.edit(row)) wishes_.changes.push_back(row.name + "=" + value_text(*chosen));
     ImGui::SameLine();
-    ImGui::TextUnformatted(row.label.c_str());
+    ImGui::TextUnformatted(setting_label(*row.setting).c_str());
     ImGui::PopStyleColor(3);
     ImGui::EndGroup();
     SettingEditor::explain(row);
@@ -121,6 +119,69 @@ void SettingsPanel::draw_row(const SettingRow& row) {
         if (ImGui::SmallButton("reset")) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();
+}
+
+void SettingsPanel::compare_section(const FrameView& view) {
+    const Settings& settings = *view.settings;
+    if (!ImGui::CollapsingHeader("Compare")) return;
+    follow_comparison(view);
+    ImGui::PushID("compare");
+    ImGui::SetNextItemWidth(widget_width());
+    if (editor_.begin_list("##setting", other_->name.c_str())) {
+        const Setting* chosen = nullptr;
+        for (const Setting& setting : setting_table()) {
+            if (!can_compare(setting, settings)) continue;
+            if (ImGui::Selectable(setting.full_name().c_str(), &setting == other_->setting)) chosen = &setting;
+        }
+        editor_.end_list();
+        if (chosen != nullptr) choose_other(*chosen, settings);
+    }
+    ImGui::SameLine();
+    ImGui::TextUnformatted("setting");
+    ImGui::SetNextItemWidth(widget_width());
+    if (auto chosen = editor_.edit(*other_)) other_->value = std::move(*chosen);
+    SettingEditor::explain(*other_);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("in the other run");
+
+    if (ImGui::SmallButton("Compare from the start")) {
+        wishes_.comparison = other_->name + "=" + value_text(other_->value);
+    }
+    if (view.comparison != nullptr) {
+        ImGui::SameLine();
+        if (ImGui::SmallButton("End")) wishes_.comparison = "none";
+    }
+    ImGui::PopID();
+}
+
+/// A comparison that has begun elsewhere is shown as it is; the run's own value is none to compare it with.
+void SettingsPanel::follow_comparison(const FrameView& view) {
+    const Settings& settings = *view.settings;
+    const std::string_view compared = view.comparison == nullptr ? "" : view.comparison->assignments;
+    if (compared != compared_) {
+        compared_ = compared;
+        const std::string first = compared_.empty() ? "" : split_assignments(compared_).front();
+        const std::size_t equals = first.find('=');
+        const Setting* setting = first.empty() ? nullptr : &setting_meant_by(first.substr(0, equals));
+        if (setting != nullptr && can_compare(*setting, settings)) {
+            choose_other(*setting, settings);
+            other_->value = parse_value(*setting, first.substr(equals + 1));
+        }
+    }
+    if (!other_ || section_count(settings, *other_->setting) == 0) {
+        return choose_other(find_setting("solver.integrator"), settings);
+    }
+    SettingValue of_the_run = other_->setting->read(settings, 0);
+    if (of_the_run == of_the_run_) return;
+    of_the_run_ = std::move(of_the_run);
+    if (of_the_run_ == other_->value && view.comparison == nullptr) choose_other(*other_->setting, settings);
+}
+
+void SettingsPanel::choose_other(const Setting& setting, const Settings& settings) {
+    editor_.forget();
+    other_ = make_setting_row(setting, 0, settings, scene_);
+    other_->name = setting.full_name();  // of several, all
+    of_the_run_ = std::exchange(other_->value, another_value(*other_));
 }
 
 }  // namespace drape

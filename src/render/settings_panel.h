@@ -2,27 +2,26 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
-#include "compare_section.h"
+#include "drape/render/renderer.h"
 #include "drape/scene/setting_table.h"
-#include "panel_boxes.h"
+#include "overlay_style.h"
 #include "setting_editor.h"
 
 namespace drape {
 
-/// Whether the panel has a row for a setting: texts, paths, where the view starts and what a scene needs have none.
-bool has_panel_row(const Setting& setting);
-
 /// The panel of every setting at the right, made from the table of settings, with Dear ImGui's widgets: a slider, a box
 /// or a list each, the help under the pointer, and a button back to the scene's value. A row without effect is dim, and
 /// its help says why. Of several cloths, balls, solids or pins it has one at a time, with buttons to the others. Where
-/// the method is another one than the scene's, it offers a time step that suits it. It changes nothing by itself.
+/// the method is another one than the scene's, it offers a time step that suits it. Its first section begins a
+/// comparison of the run with one in which a setting has another value, and ends it. It changes nothing by itself.
 class SettingsPanel {
 public:
     static constexpr float columns = 27;  ///< of the width, where there is room [font size]
 
-    explicit SettingsPanel(PanelWishes& wishes) : compare(editor_, wishes), wishes_(wishes) {}
+    explicit SettingsPanel(PanelWishes& wishes) : wishes_(wishes) {}
 
     /// The values that the buttons lead back to.
     void set_scene(const Settings& settings) {
@@ -30,7 +29,8 @@ public:
         numbers_.clear();
         seeks_ = false, marked_ = nullptr;
         editor_.forget();
-        compare.forget();
+        other_.reset();
+        compared_.clear();
     }
 
     /// Finds the place of a frame's panel.
@@ -60,19 +60,23 @@ public:
 
     PanelBox window;  ///< as it was last drawn
 
-    CompareSection compare;
-
 private:
     [[nodiscard]] float widget_width() const { return 0.48f * window.width(); }
     [[nodiscard]] bool heading(const std::string& section, std::size_t count);
     void draw_row(const SettingRow& row);
     void offer_step(const FrameView& view);
+    void compare_section(const FrameView& view);
+    void follow_comparison(const FrameView& view);
+    void choose_other(const Setting& setting, const Settings& settings);
 
     Settings scene_;
     PanelWishes& wishes_;
     std::map<std::string, std::size_t> numbers_;  ///< of those that are shown, by section
     const Setting* marked_ = nullptr;
-    bool seeks_ = false;  ///< it was not drawn yet
+    bool seeks_ = false;               ///< it was not drawn yet
+    std::optional<SettingRow> other_;  ///< of the other simulation
+    SettingValue of_the_run_;          ///< that runs, of the same setting
+    std::string compared_;             ///< assignments of the comparison that was last seen
     SettingEditor editor_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "gl_objects.h"
+#include "gl.h"
 
 namespace drape {
 
@@ -10,7 +10,7 @@ class ShadowMap {
 public:
     static constexpr int texels = 320;  ///< along each side
 
-    explicit ShadowMap(Gl& gl) : gl_(gl), depth_(gl), smooth_(gl), plain_(gl), framebuffer_(gl) {
+    explicit ShadowMap(Gl& gl) : gl_(gl) {
         const GLenum target = GL_TEXTURE_2D;
         for (const GLenum unit : {GLenum{GL_TEXTURE3}, GLenum{GL_TEXTURE0}}) {
             gl(glActiveTexture, unit);
@@ -50,9 +50,9 @@ private:
     }
 
     Gl& gl_;
-    Texture depth_;
-    Sampler smooth_, plain_;
-    Framebuffer framebuffer_;
+    Texture depth_{gl_};
+    Sampler smooth_{gl_}, plain_{gl_};
+    Framebuffer framebuffer_{gl_};
 };
 
 }  // namespace drape

@@ -18,7 +18,14 @@ constexpr float unseen = 0.3f;
 
 std::uint32_t* SmoothOutline::fill(const Grid& grid, const Vertices& vertices, const Viewpoint& from,
                                    std::uint32_t* indices) {
-    look(grid, vertices.particles, from);
+    seen_.resize(static_cast<std::size_t>(grid.particles()));
+    for (std::size_t p = 0; p < seen_.size(); ++p) {
+        const ClothVertex& particle = vertices.particles[p];
+        const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particle.position);
+        const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
+        seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particle.normal)) * per_distance,
+                    from.pixels * per_distance};
+    }
     divide_edges(grid, vertices);
     for (int j = 0; j + 1 < grid.ny; ++j) {
         for (int i = 0; i + 1 < grid.nx; ++i) {
@@ -29,16 +36,6 @@ std::uint32_t* SmoothOutline::fill(const Grid& grid, const Vertices& vertices, c
         }
     }
     return indices;
-}
-
-void SmoothOutline::look(const Grid& grid, const ClothVertex* particles, const Viewpoint& from) {
-    seen_.resize(static_cast<std::size_t>(grid.particles()));
-    for (std::size_t p = 0; p < seen_.size(); ++p) {
-        const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particles[p].position);
-        const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
-        seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particles[p].normal)) * per_distance,
-                    from.pixels * per_distance};
-    }
 }
 
 void SmoothOutline::divide_edges(const Grid& grid, const Vertices& vertices) {

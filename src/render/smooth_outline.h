@@ -56,7 +56,6 @@ private:
         bool is_border;              ///< of the cloth
     };
 
-    void look(const Grid& grid, const ClothVertex* particles, const Viewpoint& from);
     void divide_edges(const Grid& grid, const Vertices& vertices);
     [[nodiscard]] bool divide(const Edge& edge, const ClothVertex* particles, ClothVertex& middle);
     [[nodiscard]] std::uint32_t* divide_triangle(const Vertices& vertices, std::array<int, 3> corners,

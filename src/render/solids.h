@@ -4,35 +4,126 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
+#include <span>
 #include <vector>
 
 #include "cloth_colours.h"
+#include "cloth_mesh.h"
 #include "drape/sim/frame_view.h"
-#include "gl_objects.h"
+#include "frame_data.h"
+#include "gl.h"
 #include "holders.h"
 #include "picture_target.h"
-#include "program.h"
 #include "smooth_outline.h"
 #include "stream_buffer.h"
 
 namespace drape {
 
 /// How the shaders get a `ClothVertex`.
-VertexLayout cloth_layout();
+inline VertexLayout cloth_layout() { return {sizeof(ClothVertex), {{0, 3}, {1, 3}, {2, 1}, {6, 1}, {7, 1}}}; }
 
 /// The cloths, what they hang from, the balls and the solids: what is seen and what casts shadows.
 /// In the buffer, the points of solids follow the particles, and the middles of edges follow those.
 class Solids {
 public:
-    Solids(Gl& gl, StreamBuffer& stream);
+    Solids(Gl& gl, StreamBuffer& stream)
+        : gl_(gl),
+          cloths_(gl, stream, Region::Cloth, cloth_layout()),
+          outlined_(gl, stream, Region::Cloth, cloth_layout()),
+          balls_(gl, stream, Region::Balls, {sizeof(DrawnBall), {{3, 4}, {4, 4}, {8, 1}}, true}),
+          held_from_(gl, stream, Region::Holders, {sizeof(Holder), {{0, 4}, {1, 4}}, true}) {
+        // The sphere is a grid that is rolled up
+        const Grid rolled{sphere_columns + 1, sphere_rows + 1};
+        const std::vector<std::uint32_t> indices = triangle_indices({&rolled, 1});
+        sphere_index_count_ = static_cast<int>(indices.size());
+        const VertexLayout places{sizeof(ClothPlace), {{5, 4}, {9, 1}}}, points{sizeof(Eigen::Vector3f), {{0, 3}}};
+        balls_.bind();
+        fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
+        fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
+        points.enable(gl);
+        points.set(gl, 0);
+
+        fill_static(gl, GL_ARRAY_BUFFER, cloth_places_, std::vector<ClothPlace>{{}});
+        for (StreamArray* array : {&cloths_, &outlined_}) {
+            array->bind();
+            places.enable(gl);
+            places.set(gl, 0);
+        }
+        stream.bind_indices();
+        stream.bind_vertices();
+    }
 
     /// Follows new grids and shapes, and finds what cloths hang from.
-    void follow(const FrameView& view, StreamBuffer& stream);
+    void follow(const FrameView& view, StreamBuffer& stream) {
+        particle_count_ = 0;
+        for (const ClothView& cloth : view.cloths)
+            particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
+        ball_count_ = static_cast<int>(view.balls.size());
+        hang(view, holders_);
+        const bool has_other_bodies = update_kept(view.solids, shapes_, &Solid::shape);
+        if (has_other_bodies) {
+            meshes_.clear();
+            body_vertex_count_ = 0;
+            for (const Solid& solid : view.solids) {
+                body_vertex_count_ += meshes_.emplace_back(solid.shape->surface()).points.size();
+            }
+        }
 
-    void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream);
+        // The colours of nodes are those of whole cells, and lines are drawn between particles
+        const ViewSettings& shown = view.settings->view;
+        smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
+                  particle_count_ <= SmoothOutline::max_particles;
+        coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
+
+        const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
+        const bool regrown = update_kept(view.cloths, grids_, grid_of) || has_other_bodies;
+        if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
+        if (regrown) index_triangles();
+    }
+
+    void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream) {
+        const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
+        auto* vertex = stream.room<ClothVertex>(Region::Cloth, fixed_vertices() + middles);
+        for (const ClothView& cloth : view.cloths) {
+            fill_cloth_vertices(cloth, view.blend, vertex);
+            fill_hollows(cloth.model, vertex);
+            vertex += cloth.model.grid.particles();
+        }
+        colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
+        for (std::size_t i = 0; i < view.solids.size(); ++i) {
+            const TriangleMesh& mesh = meshes_[i];
+            const Eigen::Quaternionf orientation = view.solids[i].orientation.cast<float>();
+            const Eigen::Vector3f position = drawn_solid(view, i);
+            for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
+                Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * mesh.points[p].cast<float>();
+                Eigen::Map<Eigen::Vector3f>(vertex->normal) = orientation * mesh.normals[p].cast<float>();
+                vertex->pinned = vertex->value = vertex->hollow = 0;
+            }
+        }
+        fill_outlines(view, from, stream);
+        std::ranges::copy(holders_, stream.room<Holder>(Region::Holders, holders_.size()));
+        auto* balls = stream.room<DrawnBall>(Region::Balls, view.balls.size());
+        for (std::size_t i = 0; i < view.balls.size(); ++i) {
+            const float steered = static_cast<int>(i) == view.steered_ball ? 1 : 0;
+            balls[i] = {drawn_ball(view, i), drawn_orientation(view, i), steered};
+        }
+    }
 
     /// Adds what was filled in.
-    void add_to(PictureBounds& bounds, StreamBuffer& stream) const;
+    void add_to(PictureBounds& bounds, StreamBuffer& stream) const {
+        for (const ClothVertex& vertex : std::span(stream.data<ClothVertex>(Region::Cloth), fixed_vertices())) {
+            bounds.add(Eigen::Map<const Eigen::Vector3f>(vertex.position));
+        }
+        for (const DrawnBall& ball :
+             std::span(stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_))) {
+            bounds.add(ball.sphere.head<3>(), ball.sphere.w());
+        }
+        for (const Holder& holder : holders_) {
+            bounds.add(holder.from, holder.radius + holder.ring);
+            if (holder.ring == 0) bounds.add(holder.to, holder.radius);
+        }
+    }
 
     [[nodiscard]] std::span<const Holder> holders() const { return holders_; }
 
@@ -40,28 +131,183 @@ public:
     [[nodiscard]] int room() const { return static_cast<int>(std::ceil(std::min(outline_room_, 1e4f))); }
 
     /// Into the shadow map that is bound.
-    void draw_shadow();
+    void draw_shadow() {
+        depth_program_.use();
+        draw_cloths();
+        if (body_index_count_ > 0) draw_bodies();
+        if (ball_count_ > 0) draw_balls();
+        if (holders_.empty()) return;
+        holder_depth_program_.use();
+        draw_holders();
+    }
 
     /// @param shown how the cloth is drawn: its triangles as lines, its colours
-    void draw(const ViewSettings& shown, const StreamBuffer& stream);
+    void draw(const ViewSettings& shown, const StreamBuffer& stream) {
+        const bool wireframe = shown.wireframe;
+        shown.colour == ColourBy::Plain ? cloth_program_.use() : value_program_.use();
+        if (wireframe) gl_(glPolygonMode, GL_FRONT_AND_BACK, GL_LINE);
+        if (smooth_) {
+            outlined_.bind();
+            gl_.draw_elements(GL_TRIANGLES, outlined_index_count_, stream.start(Region::ClothIndices));
+        } else {
+            draw_cloths();
+        }
+        if (wireframe) gl_(glPolygonMode, GL_FRONT_AND_BACK, GL_FILL);
+        if (body_index_count_ > 0) {
+            body_program_.use();
+            draw_bodies();
+        }
+        if (ball_count_ > 0) {
+            ball_program_.use();
+            // Balls are closed, and half of their triangles face away
+            gl_(glEnable, GL_CULL_FACE);
+            draw_balls();
+            gl_(glDisable, GL_CULL_FACE);
+        }
+        if (holders_.empty()) return;
+        holder_program_.use();
+        draw_holders();
+    }
 
 private:
-    void draw_cloths();
-    void draw_balls();
-    void draw_bodies();
-    void draw_holders();
-    bool update_bodies(const FrameView& view);
-    void fill_places(const FrameView& view, StreamBuffer& stream);
-    void index_triangles();
-    void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream);
-    void draw_indices(int first, int count);
+    /// A ball as it is drawn.
+    struct DrawnBall {
+        Eigen::Vector4f sphere;       ///< centre, radius [m]
+        Eigen::Vector4f orientation;  ///< x, y, z, w of a quaternion
+        float steered;                ///< by the keys, as one of several: 1, else 0
+    };
+
+    // Fine enough that the outline of a ball that fills the picture is round: 0.1 % of the radius off
+    static constexpr int sphere_rows = 36, sphere_columns = 72;
+
+    static constexpr int holder_vertices = 2 * 7 * 12;  // as in the shader
+
+    // Of larger cloths, fast pictures leave out rows and columns
+    static constexpr std::size_t most_drawn_fast = 10'000;
+
+    static std::vector<Eigen::Vector3f> unit_sphere() {
+        std::vector<Eigen::Vector3f> points;
+        for (int row = 0; row <= sphere_rows; ++row) {
+            const float polar = std::numbers::pi_v<float> * static_cast<float>(row) / sphere_rows;
+            for (int column = 0; column <= sphere_columns; ++column) {
+                const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(column) / sphere_columns;
+                points.emplace_back(std::sin(polar) * std::cos(turn), std::cos(polar),
+                                    -std::sin(polar) * std::sin(turn));
+            }
+        }
+        return points;
+    }
+
+    // Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
+    static void append_middle_places(const Grid& grid, std::size_t first, std::vector<ClothPlace>& places) {
+        for (int p = 0; p < grid.particles(); ++p) {
+            const int right = p % grid.nx + 1 < grid.nx ? p + 1 : p;
+            const int step = p / grid.nx + 1 < grid.ny ? grid.nx : 0;
+            for (const auto& [from, to] :
+                 {std::array{p, right}, std::array{p, p + step}, std::array{right, p + step}}) {
+                const ClothPlace a = places[first + static_cast<std::size_t>(from)],
+                                 b = places[first + static_cast<std::size_t>(to)];
+                places.push_back({(a.u + b.u) / 2, (a.v + b.v) / 2, a.width, a.height, a.number});
+            }
+        }
+    }
+
+    void index_triangles() {
+        std::vector<std::uint32_t> indices = triangle_indices(grids_);
+        cloth_index_count_ = static_cast<int>(indices.size());
+        auto first = static_cast<std::uint32_t>(particle_count_);
+        for (const TriangleMesh& mesh : meshes_) {
+            for (const std::array<int, 3>& triangle : mesh.triangles) {
+                for (const int corner : triangle) indices.push_back(first + static_cast<std::uint32_t>(corner));
+            }
+            first += static_cast<std::uint32_t>(mesh.points.size());
+        }
+        body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
+        int step = 1;
+        while (particle_count_ / static_cast<std::size_t>(step * step) > most_drawn_fast) ++step;
+        const std::vector<std::uint32_t> coarse = triangle_indices(grids_, step);
+        coarse_index_count_ = static_cast<int>(coarse.size());
+        indices.insert(indices.end(), coarse.begin(), coarse.end());
+        cloths_.bind();
+        fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
+    }
+
+    void fill_places(const FrameView& view, StreamBuffer& stream) {
+        std::vector<ClothPlace> places;
+        for (int number = 0; const ClothView& cloth : view.cloths) append_places(cloth.model, number++, places);
+        for (std::size_t i = 0; i < meshes_.size(); ++i) {
+            const auto kind = static_cast<float>(view.settings->solids[i].shape);
+            for (const Vec3& p : meshes_[i].points) {
+                const Eigen::Vector3f own = p.cast<float>();
+                places.push_back({own.x(), own.y(), own.z(), 0, kind});
+            }
+        }
+        if (particle_count_ <= SmoothOutline::max_particles) {
+            std::size_t first = 0;
+            for (const ClothView& cloth : view.cloths) {
+                append_middle_places(cloth.model.grid, first, places);
+                first += static_cast<std::size_t>(cloth.model.grid.particles());
+            }
+        }
+        fill_static(gl_, GL_ARRAY_BUFFER, cloth_places_, places);
+        stream.bind_vertices();
+    }
+
+    void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {
+        auto* const indices = stream.room<std::uint32_t>(Region::ClothIndices, smooth_ ? 24 * particle_count_ : 0);
+        auto* const vertices = stream.data<ClothVertex>(Region::Cloth);
+        outline_room_ = 0;
+        if (!smooth_) return;
+        std::size_t first = 0;
+        std::uint32_t* end = indices;
+        for (const ClothView& cloth : view.cloths) {
+            const std::size_t first_middle = fixed_vertices() + SmoothOutline::middles_each * first;
+            end = outline_.fill(cloth.model.grid,
+                                {vertices + first, vertices + first_middle, static_cast<std::uint32_t>(first),
+                                 static_cast<std::uint32_t>(first_middle)},
+                                from, end);
+            outline_room_ = std::max(outline_room_, outline_.farthest());
+            first += static_cast<std::size_t>(cloth.model.grid.particles());
+        }
+        outlined_index_count_ = static_cast<int>(end - indices);
+    }
+
+    // Cloths, then solids, then cloths with fewer particles
+    void draw_indices(int first, int count) {
+        cloths_.bind();
+        gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+    }
+
+    void draw_cloths() {
+        if (coarse_) return draw_indices(cloth_index_count_ + body_index_count_, coarse_index_count_);
+        draw_indices(0, cloth_index_count_);
+    }
+
+    void draw_balls() {
+        balls_.bind();
+        gl_.draw_elements(GL_TRIANGLES, sphere_index_count_, 0, ball_count_);
+    }
+
+    // They are closed, and half of their triangles face away
+    void draw_bodies() {
+        gl_(glEnable, GL_CULL_FACE);
+        draw_indices(cloth_index_count_, body_index_count_);
+        gl_(glDisable, GL_CULL_FACE);
+    }
+
+    void draw_holders() {
+        held_from_.bind();
+        gl_.draw_arrays(GL_TRIANGLE_STRIP, holder_vertices, static_cast<int>(holders_.size()));
+    }
+
     [[nodiscard]] std::size_t fixed_vertices() const { return particle_count_ + body_vertex_count_; }
 
     Gl& gl_;
-    Program cloth_program_, value_program_, ball_program_, body_program_, holder_program_, depth_program_,
-        holder_depth_program_;
+    Program cloth_program_{gl_, "cloth"}, value_program_{gl_, "cloth", "cloth_value"}, ball_program_{gl_, "ball"},
+        body_program_{gl_, "solid"}, holder_program_{gl_, "holder"}, depth_program_{gl_, "depth"},
+        holder_depth_program_{gl_, "holder_depth", "depth"};
     StreamArray cloths_, outlined_, balls_, held_from_;
-    Buffer cloth_indices_, cloth_places_, sphere_vertices_, sphere_indices_;
+    Buffer cloth_indices_{gl_}, cloth_places_{gl_}, sphere_vertices_{gl_}, sphere_indices_{gl_};
     std::vector<Holder> holders_;
     std::vector<Grid> grids_;
     std::vector<std::array<Real, 2>> spacings_;              ///< of the grids [m]

@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "frame_data.h"
-#include "gl_objects.h"
-#include "program.h"
+#include "gl.h"
 
 namespace drape {
 
@@ -12,14 +11,7 @@ namespace drape {
 /// they are.
 class Studio {
 public:
-    explicit Studio(Gl& gl)
-        : gl_(gl),
-          studio_program_(gl, "studio"),
-          shadow_program_(gl, "ground_shadow"),
-          behind_program_(gl, "backdrop"),
-          no_vertices_(gl),
-          colour_(gl),
-          framebuffer_(gl) {}
+    explicit Studio(Gl& gl) : gl_(gl) {}
 
     /// Draws what no shadow falls on, unless that is the picture that it has.
     void follow(const FrameData& data) {
@@ -71,10 +63,10 @@ private:
     }
 
     Gl& gl_;
-    Program studio_program_, shadow_program_, behind_program_;
-    VertexArray no_vertices_;  ///< core profile wants one, even where the shader makes the corners
-    Renderbuffer colour_;
-    Framebuffer framebuffer_;
+    Program studio_program_{gl_, "studio"}, shadow_program_{gl_, "ground_shadow"}, behind_program_{gl_, "backdrop"};
+    VertexArray no_vertices_{gl_};  ///< core profile wants one, even where the shader makes the corners
+    Renderbuffer colour_{gl_};
+    Framebuffer framebuffer_{gl_};
     std::optional<FrameData> drawn_;
 };
 

@@ -27,10 +27,9 @@ constexpr double glance = 0.1;  // s between two looks for a signal
 const std::array<std::string, 9> extensions{".mp4", ".m4v", ".mov", ".mkv", ".webm", ".avi", ".gif", ".ogv", ".mpg"};
 
 std::vector<std::string> command_line(const std::filesystem::path& file, PictureSize size, double rate) {
-    const std::string sides = std::to_string(size.width) + "x" + std::to_string(size.height);
     // Most players want even sides and this pixel format
-    std::istringstream words("ffmpeg -y -nostdin -loglevel error -f rawvideo -pixel_format rgb24 -video_size " + sides +
-                             " -framerate " + real_text(rate) +
+    std::istringstream words("ffmpeg -y -nostdin -loglevel error -f rawvideo -pixel_format rgb24 -video_size " +
+                             size_text(size) + " -framerate " + real_text(rate) +
                              " -i pipe:0 -vf pad=ceil(iw/2)*2:ceil(ih/2)*2 -pix_fmt yuv420p");
     std::vector<std::string> line{std::istream_iterator<std::string>(words), {}};
     line.push_back(file.string());

@@ -23,7 +23,7 @@ constexpr Real pairs_of_half = 8;
 constexpr Real max_spacings = Real(0.4);
 
 /// How much of the thickness besides, for what is at rest.
-constexpr Real thickness_ahead = Real(0.1);
+constexpr Real thickness_ahead = Real(0.3);
 
 /// Pairs of a flat sheet that are within a reach, a particle and a square of the particles' spacing.
 constexpr Real pairs_a_square = 30;

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "../../src/app/scene_clock.h"
-
 namespace drape {
 namespace {
 

@@ -36,7 +36,7 @@ TYPED_TEST_SUITE(Invariant, test::AllVolumes, test::VolumeNames);
 TYPED_TEST(Invariant, HoldsInEveryFrameByEveryUpdate) {
     for (const Grid& grid : invariant_shapes) {
         const bool large = grid.particles() > 5'000;
-        for (const UpdateKind update : test::all_updates()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
             for (const Kernels kernels : {Kernels::Vector, Kernels::Plain}) {
                 MovingCloth cloth(grid);
                 ClothQuadtree<TypeParam> tree(grid,
@@ -56,7 +56,7 @@ TYPED_TEST(Invariant, HoldsInEveryFrameByEveryUpdate) {
 /// The nodes at which a search ends are taken as spheres: they make up for a stale tree too.
 TYPED_TEST(Invariant, HoldsForTheSpheresThatASearchEndsAt) {
     const Grid grid{31, 17};
-    for (const UpdateKind update : test::all_updates()) {
+    for (const UpdateKind update : values_of<UpdateKind>()) {
         MovingCloth cloth(grid);
         ClothQuadtree<TypeParam> tree(grid, {.update = update, .leaf_cells = 3, .search = {.level = 2}});
         Candidates found;

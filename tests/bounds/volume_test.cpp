@@ -43,21 +43,6 @@ TYPED_TEST(Volume, AndItsSphereContainItsParticlesAtAnyScaleAndFarOut) {
     });
 }
 
-TYPED_TEST(Volume, TouchesABallAtAParticleFromAnySideAndAtAnyScale) {
-    std::mt19937 random(12);
-    std::normal_distribution<Real> normal;
-    for_many_patches([&](const Grid& grid, const Points& x) {
-        const TypeParam volume = TypeParam::fit(whole(x, grid));
-        const Real radius = TypeParam::fit(whole(x, grid)).sphere().radius / 3;
-        for (int p = 0; p < grid.particles(); ++p) {
-            const Vec3 side = Vec3(normal(random), normal(random), normal(random)).normalized();
-            const Vec3 centre = x.row(p).transpose() + side * radius;
-            const Real distance = (centre - x.row(p).transpose()).norm();
-            ASSERT_TRUE(volume.overlaps({.centre = centre, .radius = distance * (1 + 1e-15)})) << grid.nx << " columns";
-        }
-    });
-}
-
 /// As far as the farthest of its faces, seen from the ball's centre.
 TYPED_TEST(Volume, LeavesOutABallThatEndsBeforeAFace) {
     std::mt19937 random(13);

@@ -14,7 +14,7 @@ namespace drape::test {
 /// The picture of a view, by a new renderer.
 inline Image picture_of(const FrameView& view, int width, int height, const ViewSettings& from,
                         ContextKind kind = ContextKind::Auto) {
-    const OffscreenContext context(kind);
+    const GlContext context = make_context(kind);
     Renderer renderer;
     renderer.resize(width, height);
     renderer.draw(view, Camera(from), {});

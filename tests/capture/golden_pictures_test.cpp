@@ -129,7 +129,7 @@ protected:
         for (const auto& [name, blocks] : golden_) out << name << ' ' << blocks << '\n';
     }
 
-    const OffscreenContext context_;
+    const GlContext context_ = make_context();
     Renderer renderer_;
     std::map<std::string, std::string> golden_;
     const char* const new_table_ = std::getenv("DRAPE_GOLDEN");

@@ -69,7 +69,7 @@ TEST(PlotsPicture, HasEachValueWhereItBelongsOnBothAxes) {
     StepReport report;
     scene.view.report = &report;
 
-    const OffscreenContext context;
+    const GlContext context = make_context();
     Renderer renderer;
     renderer.resize(plots_width, plots_height);
     const auto draw = [&](double time, double total, double kinetic) {

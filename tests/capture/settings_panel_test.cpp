@@ -1,6 +1,6 @@
 // Every row of the settings panel does something: it changes the motion, or the picture.
 
-#include "render/settings_panel.h"
+#include "render/setting_editor.h"
 
 #include <gtest/gtest.h>
 
@@ -106,7 +106,7 @@ protected:
         return moves_otherwise || picture_of(as_it_is) != picture_of(changed);
     }
 
-    OffscreenContext context_;
+    GlContext context_ = make_context();
 };
 
 TEST_F(SettingsPanelRows, AreNotAliveByThePictureAlone) {

@@ -48,12 +48,12 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
 
     std::vector<Image> kept;
     {
-        const OffscreenContext context;
+        const GlContext context = make_context();
         Renderer renderer;
         for (const Look& one : looks) kept.push_back(draw(renderer, one));
     }
     for (std::size_t i = 0; i < looks.size(); ++i) {
-        const OffscreenContext context;
+        const GlContext context = make_context();
         Renderer renderer;
         EXPECT_TRUE(kept[i].rgb == draw(renderer, looks[i]).rgb) << looks[i].change;
         if (i > 0) {
@@ -63,7 +63,7 @@ TEST_F(KeptStudio, FollowsCameraBallSizeAndGround) {
 }
 
 TEST_F(KeptStudio, IsDrawnAgainOnlyIfItChanges) {
-    const OffscreenContext context;
+    const GlContext context = make_context();
     Renderer renderer;
     const auto calls = [&] {
         draw(renderer, look_);

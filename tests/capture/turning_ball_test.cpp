@@ -34,7 +34,7 @@ struct TurningBall : DrawnScene, testing::Test {
         return renderer.read_back();
     }
 
-    OffscreenContext context;
+    GlContext context = make_context();
     Renderer renderer;
     Ball ball;
 };

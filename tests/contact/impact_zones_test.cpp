@@ -182,33 +182,5 @@ TEST(ImpactZones, GoOnWithTheirMeanMotion) {
     EXPECT_NEAR(cloths.states[1].v(0, 1) - cloths.states[0].v(0, 1), -3 * part, 1e-12);
 }
 
-TEST(SafePart, IsWholeWhereNothingMeetsAndEndsShortOfAMeeting) {
-    std::mt19937 random(10);
-    std::uniform_real_distribution<Real> unit(-1, 1);
-    const auto point = [&] { return Vec3(unit(random), unit(random), unit(random)); };
-    int met = 0, parted = 0;
-    for (int trial = 0; trial < 4000; ++trial) {
-        FeatureMotion motion{.first_count = 1 + trial % 2};
-        for (std::size_t k = 0; k < 4; ++k) motion.start[k] = point(), motion.displacement[k] = 2 * point();
-        const Real distance = motion.distance_after(0);
-        if (distance < Real(1e-3)) continue;
-        const Real part = safe_part_of(motion, distance, min_gap);
-        Real nearest = distance;
-        constexpr int samples = 2000;
-        for (int s = 0; s <= samples; ++s) {
-            nearest = std::min(nearest, motion.distance_after(part * static_cast<Real>(s) / samples));
-        }
-        ASSERT_GE(nearest, Real(0.1) * distance * (1 - Real(1e-9))) << trial;
-        if (part == 1) {
-            ++parted;
-            continue;
-        }
-        ++met;
-        ASSERT_LE(motion.distance_after(part), Real(0.2) * distance) << "held back for nothing, " << trial;
-    }
-    EXPECT_GT(met, 300);
-    EXPECT_GT(parted, 1000);
-}
-
 }  // namespace
 }  // namespace drape

@@ -12,7 +12,6 @@
 #include "drape/contact/detection.h"
 #include "support/cloths.h"
 #include "support/containment.h"
-#include "support/exact_distance.h"
 
 namespace drape {
 namespace {
@@ -21,9 +20,8 @@ namespace {
 template <class Volume>
 class Comparison {
 public:
-    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters,
-                        Fits<Volume> fits = fits_of<Volume>({}))
-        : grid_(grid), tree_(grid, parameters, fits) {
+    explicit Comparison(const Grid& grid, const BroadPhaseParameters& parameters)
+        : grid_(grid), tree_(grid, parameters) {
         brute_ = make_broad_phase({.volume = VolumeKind::Brute}, grid);
     }
 
@@ -121,16 +119,15 @@ template <class Volume>
 class Quadtree : public ::testing::Test {
 protected:
     /// @return disagreements with brute force, over every update
-    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls,
-                 Fits<Volume> fits = fits_of<Volume>({})) {
+    long compare(const Grid& grid, int leaf_cells, Real scale, int cloths, int balls) {
         long disagreements = 0;
         std::mt19937 random(static_cast<unsigned>(grid.nx + 7 * grid.ny + leaf_cells));
-        for (const UpdateKind update : test::all_updates()) {
+        for (const UpdateKind update : values_of<UpdateKind>()) {
             for (int cloth = 0; cloth < cloths; ++cloth) {
                 Points from = scale * test::random_cloth(grid, random), to = scale * test::random_cloth(grid, random);
                 if (cloth % 5 == 3) from.leftCols(2).setConstant(Real(0.1) * scale), to.leftCols(2).setZero();
                 if (cloth % 5 == 4) from.setConstant(Real(0.1) * scale);
-                Comparison<Volume> comparison(grid, {.update = update, .leaf_cells = leaf_cells}, fits);
+                Comparison<Volume> comparison(grid, {.update = update, .leaf_cells = leaf_cells});
                 follow(comparison, from, to, scale, balls, random);
                 disagreements += comparison.disagreements;
                 configurations_ += comparison.configurations;
@@ -175,43 +172,6 @@ TYPED_TEST(Quadtree, AgreesWithBruteForceToTheLastBitsFarFromTheOrigin) {
     EXPECT_EQ(comparison.disagreements, 0);
     EXPECT_GT(comparison.touching, comparison.configurations / 4);
     EXPECT_LT(comparison.touching, comparison.configurations);
-}
-
-/// The planted fault: every fit misses the last column of its particles.
-template <class Volume>
-Volume fit_without_last_column(Patch patch) {
-    --patch.columns;
-    return Volume::fit(patch);
-}
-
-TYPED_TEST(Quadtree, IsCaughtWhenFitsMissAColumn) {
-    const auto fit = [](const Patch& patch) { return fit_without_last_column<TypeParam>(patch); };
-    EXPECT_GT(this->compare({9, 9}, 2, 1, 5, 40, {.patch = fit}), 100);
-}
-
-TEST(TouchedTriangles, AreThoseWithinTheRadius) {
-    std::mt19937 random(10);
-    std::uniform_real_distribution<Real> unit(-1, 1);
-    constexpr Real thickness = Real(0.002);
-    const Grid grid{14, 9};
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
-    std::vector<int> touched;
-    std::size_t found = 0;
-    for (int round = 0; round < 5000; ++round) {
-        const Points x = test::random_cloth(grid, random);
-        const Ball ball{.centre = 0.6 * Vec3(unit(random), unit(random), unit(random)),
-                        .radius = 0.2 + 0.19 * unit(random)};
-        find_touched_triangles(grid, x, ball, thickness, all, touched, Kernels::Vector);
-        found += touched.size();
-        ASSERT_TRUE(std::ranges::is_sorted(touched));
-        for (int t = 0; t < grid.triangles(); ++t) {
-            const Real gap = distance_to_triangle(ball.centre, grid, x, t) - ball.radius - thickness;
-            const auto listed = std::ranges::count(touched, t);
-            ASSERT_TRUE(std::abs(gap) < 1e-12 || listed == (gap <= 0 ? 1 : 0));
-        }
-    }
-    EXPECT_GT(found, 10'000u);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForceAndPrunes) {
         };
         const std::array expected{find(false, all_cells_of(grid)), find(true, all_cells_of(grid))};
         for (const auto volume : {VolumeKind::Sphere, VolumeKind::Aabb, VolumeKind::Kdop18, VolumeKind::Obb}) {
-            for (const UpdateKind update : test::all_updates()) {
+            for (const UpdateKind update : values_of<UpdateKind>()) {
                 const auto tree = make_broad_phase({.volume = volume, .update = update, .leaf_cells = 3}, grid);
                 Points start = x;
                 start.col(1).array() += 0.03;

@@ -181,37 +181,5 @@ TEST(DeepestPoint, IsAsLowAsAnyPointOfTheTriangleOutsideABoxAndACapsule) {
     expect_deepest({.shape = make_capsule(0.1, 0.3)}, random);
 }
 
-/// A result below the limit comes from the same descent; one above it from a shorter one.
-TEST(DeepestPoint, IsTheSameBelowTheLimit) {
-    std::mt19937 random(8);
-    for (const bool is_mesh : {false, true}) {
-        int missed = 0, below = 0, above = 0;
-        for (int trial = 0; trial < 1000; ++trial) {
-            const Solid solid{.shape = is_mesh ? make_mesh_shape(spiky(random)) : make_box({1, 1, 1})};
-            const std::array<Vec3, 3> corners = draw_triangle(random, 1, 0.1);
-            const std::array at_corners{solid.measure(corners[0]), solid.measure(corners[1]),
-                                        solid.measure(corners[2])};
-            const auto find = [&](Real limit) { return find_deepest_point(solid, corners, at_corners, limit); };
-            const DeepestPoint whole = find(std::numeric_limits<Real>::infinity());
-            const Real lowest = std::ranges::min(at_corners, {}, &SurfaceDistance::distance).distance;
-            const Real limit =
-                trial % 2 == 0 ? lowest - Real(1e-5) : whole.surface.distance + Real(0.01) * uniform<Real>(random);
-            const DeepestPoint found = find(limit);
-            if (found.surface.distance < limit) {
-                ++below;
-                ASSERT_EQ(found.point, whole.point);
-                ASSERT_EQ(found.surface.distance, whole.surface.distance);
-            } else if (whole.surface.distance < limit) {
-                ++missed;
-            } else {
-                ++above;
-            }
-        }
-        EXPECT_GT(below, 100);
-        EXPECT_GT(above, 100);
-        EXPECT_LE(missed, is_mesh ? below / 100 : 0);
-    }
-}
-
 }  // namespace
 }  // namespace drape

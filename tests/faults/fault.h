@@ -64,7 +64,6 @@ void kill_experiments(Trial& trial, int count);
 void fill_disk(Trial& trial, int count);
 void write_where_nobody_may(Trial& trial, int count);
 void close_streams(Trial& trial, int count);
-void stop_ffmpeg(Trial& trial, int count);
 void withhold_memory(Trial& trial, int count);
 void withhold_threads(Trial& trial, int count);
 void change_locale(Trial& trial, int count);

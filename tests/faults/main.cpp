@@ -19,7 +19,6 @@ const std::vector<Fault>& all_faults() {
         {"full_disk", "disks and files that are full", 4, fill_disk},
         {"read_only", "folders that take no files", 1, write_where_nobody_may},
         {"closed_streams", "standard streams closed or full", 1, close_streams},
-        {"stopped_ffmpeg", "an ffmpeg that does not read", 1, stop_ffmpeg},
         {"no_memory", "a limit of memory", 4, withhold_memory},
         {"no_threads", "threads that cannot be started", 4, withhold_threads},
         {"locale", "a locale with a decimal comma", 1, change_locale},

@@ -1,6 +1,4 @@
-// What a program needs and does not get: memory, threads, an ffmpeg that reads; and a locale with a decimal comma.
-
-#include <csignal>
+// What a program needs and does not get: memory and threads; and a locale with a decimal comma.
 
 #include "drape/integrate/integrator.h"
 #include "faults/fault.h"
@@ -81,25 +79,6 @@ void change_locale(Trial& trial, int /*count*/) {
         trial.check(plain.code == 0 && comma.code == 0 && plain.out == comma.out && state == trial.text("s.csv"),
                     "with a decimal comma: " + command, comma);
         trial.remove("s.csv");
-    }
-}
-
-void stop_ffmpeg(Trial& trial, int count) {
-    // An ffmpeg that reads nothing, as one that was stopped by hand
-    trial.run("mkdir -p bin; printf '#!/bin/sh\\nkill -STOP $$\\n' > bin/ffmpeg; chmod +x bin/ffmpeg");
-    for (int k = 0; k < count; ++k) {
-        const std::string signal =
-            k % 2 == 0 ? "TERM" : "HUP";  // a shell starts what it leaves in the background deaf to INT
-        const Outcome outcome = trial.run(
-            "PATH=$PWD/bin:$PATH $CAPTURE drop --frames 400 --size 640x360 --video v.mp4 & capture=$!; "
-            "for i in $(seq 100); do stopped=$(pgrep -P $capture); "
-            "[ -n \"$stopped\" ] && grep -q '^State:.T' /proc/$stopped/status && break; sleep 0.05; done; "
-            "sleep 0.3; kill -" +
-            signal +
-            " $capture; "
-            "( sleep 20; kill -KILL $capture ) 2>/dev/null & guard=$!; wait $capture; code=$?; kill $guard; "
-            "[ -n \"$stopped\" ] && kill -KILL $stopped 2>/dev/null; exit $code");
-        trial.check(outcome.code == (k % 2 == 0 ? 143 : 129), "ffmpeg is stopped, then SIG" + signal, outcome);
     }
 }
 

@@ -1,13 +1,12 @@
 // The positions that `collide` reads: every bounding volume finds the triangles that brute force finds.
 
-#include "lab/positions.h"
-
 #include <algorithm>
 #include <sstream>
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/contact/detection.h"
 #include "fuzz/target.h"
+#include "lab/commands.h"
 
 using namespace drape;
 
@@ -40,9 +39,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const Vec3 centre = x.row(4).transpose() + Vec3(0, share * Real(0.01), 0);
         const Ball ball{.centre = centre, .radius = share * (x.row(1).transpose() - centre).norm()};
         const std::vector<int> wanted = touched(x, ball, VolumeKind::Brute);
-        for (std::size_t kind = 0; kind < names_of<VolumeKind>().size(); ++kind) {
-            const auto volume = static_cast<VolumeKind>(kind);
-            fuzz::require(touched(x, ball, volume) == wanted, names_of<VolumeKind>()[kind].c_str());
+        for (const VolumeKind volume : values_of<VolumeKind>()) {
+            fuzz::require(touched(x, ball, volume) == wanted, name_of(volume).c_str());
         }
     }
     return 0;

@@ -18,8 +18,7 @@ constexpr IntegratorKind explicit_kinds[] = {IntegratorKind::ExplicitEuler, Inte
                                              IntegratorKind::VelocityVerlet, IntegratorKind::Rk4};
 
 TEST(PredictedLimit, IsComparedHereForEveryMethodThatHasOne) {
-    for (std::size_t k = 0; k < names_of<IntegratorKind>().size(); ++k) {
-        const auto kind = static_cast<IntegratorKind>(k);
+    for (const IntegratorKind kind : values_of<IntegratorKind>()) {
         EXPECT_EQ(std::ranges::count(explicit_kinds, kind), has_step_limit(kind) ? 1 : 0) << name_of(kind);
     }
 }

@@ -13,6 +13,33 @@
 
 namespace drape::test {
 
+/// What one step of an explicit method does to (x, v).
+/// @param drift, kick the rates of change of x and of v, times the step; each has rows of zeroes for the other
+template <class Matrix>
+Matrix explicit_step(IntegratorKind kind, const Matrix& drift, const Matrix& kick) {
+    const Matrix one = Matrix::Identity(drift.rows(), drift.cols()), rate = drift + kick;
+    switch (kind) {
+        case IntegratorKind::ExplicitEuler:
+            return one + rate;
+        case IntegratorKind::SymplecticEuler:
+            return (one + drift) * (one + kick);
+        case IntegratorKind::VelocityVerlet: {
+            const Matrix moved = one + drift + drift * kick / 2;
+            return moved + kick / 2 + kick / 2 * (moved + kick);
+        }
+        case IntegratorKind::Rk4:
+            return one + rate * (one + rate / 2 * (one + rate / 3 * (one + rate / 4)));
+        case IntegratorKind::BackwardEuler:
+        case IntegratorKind::ImplicitMidpoint:
+        case IntegratorKind::Bdf2:
+        case IntegratorKind::Xpbd:
+        case IntegratorKind::ProjectiveDynamics:
+        case IntegratorKind::DormandPrince:
+            break;
+    }
+    throw std::invalid_argument("no step is written down here for " + std::string(name_of(kind)));
+}
+
 /// x'' = -K x - D x' of a small cloth's free coordinates, by mass, as dense matrices.
 struct LinearCloth {
     Eigen::MatrixXd stiffness, damping;
@@ -42,34 +69,11 @@ struct LinearCloth {
     /// What one step of a method does to (x, v).
     [[nodiscard]] Eigen::MatrixXd step(IntegratorKind kind, double h) const {
         const auto n = stiffness.rows();
-        const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(2 * n, 2 * n);
-        Eigen::MatrixXd move = Eigen::MatrixXd::Zero(2 * n, 2 * n), kick = move;
-        move.topRightCorner(n, n).setIdentity();
-        kick.bottomLeftCorner(n, n) = -stiffness;
-        kick.bottomRightCorner(n, n) = -damping;
-        move *= h;
-        kick *= h;
-        const Eigen::MatrixXd rate = move + kick;
-        switch (kind) {
-            case IntegratorKind::ExplicitEuler:
-                return one + rate;
-            case IntegratorKind::SymplecticEuler:
-                return (one + move) * (one + kick);
-            case IntegratorKind::VelocityVerlet: {
-                const Eigen::MatrixXd moved = one + move + move * kick / 2;
-                return moved + kick / 2 + kick / 2 * (moved + kick);
-            }
-            case IntegratorKind::Rk4:
-                return one + rate * (one + rate / 2 * (one + rate / 3 * (one + rate / 4)));
-            case IntegratorKind::BackwardEuler:
-            case IntegratorKind::ImplicitMidpoint:
-            case IntegratorKind::Bdf2:
-            case IntegratorKind::Xpbd:
-            case IntegratorKind::ProjectiveDynamics:
-            case IntegratorKind::DormandPrince:
-                break;
-        }
-        throw std::invalid_argument("no step is written down here for " + std::string(name_of(kind)));
+        Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(2 * n, 2 * n), kick = drift;
+        drift.topRightCorner(n, n).diagonal().setConstant(h);
+        kick.bottomLeftCorner(n, n) = -h * stiffness;
+        kick.bottomRightCorner(n, n) = -h * damping;
+        return explicit_step(kind, drift, kick);
     }
 
     /// The largest factor by which a step makes a vibration grow.

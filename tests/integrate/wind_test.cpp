@@ -88,23 +88,5 @@ TEST(Wind, IsInTheLimitOfEveryExplicitMethodHoweverTheClothIsTurned) {
     }
 }
 
-TEST(Wind, ThatProjectiveDynamicsDoesNotSolveIsSaid) {
-    const BlownFlag flag(Real(0.2), 2);
-    const auto step = [&](int iterations, Real h) {
-        ClothState state = flag.start;
-        const auto integrator =
-            make_integrator({.kind = IntegratorKind::ProjectiveDynamics, .iterations = iterations}, flag.model.grid);
-        SolveReport report;
-        for (int n = 0; n < 5; ++n) report = integrator->step(flag.model, state, h);
-        return report;
-    };
-    const SolveReport few = step(2, Real(1) / 60), many = step(40, Real(1e-3));
-    EXPECT_EQ(few.unconverged, 1);
-    EXPECT_GT(few.residual, 2 * few.tolerance);
-    EXPECT_EQ(many.unconverged, 0);
-    EXPECT_GT(many.tolerance, 0);
-    EXPECT_LT(many.residual, many.tolerance);
-}
-
 }  // namespace
 }  // namespace drape

@@ -4,7 +4,6 @@
 #include <filesystem>
 
 #include "drape/base/unfinished_file.h"
-#include "lab/experiment/run_experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {

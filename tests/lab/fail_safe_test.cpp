@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "drape/sim/simulation.h"
-#include "lab/contact/self_contact_trial.h"
+#include "lab/contact/contact_trial.h"
 #include "support/sanitized.h"
 #include "support/scene_crossings.h"
 

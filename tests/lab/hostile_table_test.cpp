@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "drape/base/input_error.h"
-#include "lab/experiment/run_experiment.h"
+#include "lab/experiment/experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {

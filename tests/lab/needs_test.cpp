@@ -5,7 +5,6 @@
 #include "drape/base/input_error.h"
 #include "drape/scene/scene.h"
 #include "lab/lab_run.h"
-#include "lab/needs/configurations.h"
 #include "lab/needs/needs.h"
 
 namespace drape {

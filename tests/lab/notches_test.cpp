@@ -1,4 +1,4 @@
-#include "lab/needs/configurations.h"
+#include "lab/needs/needs.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
 #include "lab/measure/states.h"
-#include "lab/needs/needs.h"
 
 namespace drape {
 namespace {

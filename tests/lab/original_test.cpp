@@ -1,13 +1,13 @@
-// The experiment "original" on the dissertation's five tests: its parts, and a case of it run as a program.
+// The experiment "original" on the dissertation's five tests: cases of it run as a program.
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
 
-#include "drape/base/input_error.h"
 #include "drape/base/resources.h"
+#include "lab/experiment/experiment_table.h"
+#include "lab/experiments.h"
 #include "lab/lab_run.h"
-#include "lab/original/original.h"
 
 namespace drape {
 namespace {
@@ -18,10 +18,20 @@ using test::table_of;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr OriginalPlan tiny{.first = 2, .frames = 2, .passes = 1};
+/// Runs a copy of the laboratory: beside it there is no `drape-capture` but what a test has put there.
+LabRun run_alone(const LabFolder& folder, const std::string& cases) {
+    std::filesystem::copy_file(DRAPE_LAB, folder.path() / "drape-lab");
+    const std::string data = find_resource("scenes/original.toml").parent_path().parent_path().string();
+    return folder.run({"original", "--quick", "--cases", cases, "--out", "out"}, (folder.path() / "drape-lab").string(),
+                      {{"DRAPE_DATA", data}});
+}
 
-TEST(LongOriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
-    const auto rows = original_rows(tiny, program_folder() / "drape-capture");
+TEST(LongLabOriginal, HasEveryCellWhereThereIsAProgramToDraw) {
+    const LabFolder folder;
+    const LabRun run = folder.run({"original", "--quick", "--cases", "1-1", "--out", "out"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    const Experiment original = original_experiment();
+    const Rows rows = read_table(original, folder.path("out/original.csv"), false).value().rows();
     ASSERT_EQ(rows.size(), 4u);
     for (const Row& row : rows) {
         EXPECT_GT(row.number("execution_s"), 0);
@@ -38,17 +48,21 @@ TEST(LongOriginalRows, HaveEveryCellWhereThereIsAProgramToDraw) {
     EXPECT_GT(vertices(2), vertices(3));
 }
 
-TEST(OriginalRows, FailWhereTheProgramFails) {
-    EXPECT_THROW((void)original_rows(tiny, "/bin/false"), RunError);
-    EXPECT_THROW((void)original_rows(tiny, "/bin/true"), RunError) << "where it writes nothing";
+TEST(LongLabOriginal, FailsWhereTheProgramThatDrawsFailsOrWritesNothing) {
+    const std::pair<const char*, const char*> failures[]{{"/bin/false", "drape-capture failed on the scene original"},
+                                                         {"/bin/true", "has too few rows"}};
+    for (const auto& [program, said] : failures) {
+        const LabFolder folder;
+        std::filesystem::create_symlink(program, folder.path("drape-capture"));
+        const LabRun run = run_alone(folder, "1-1");
+        EXPECT_EQ(run.code, 1) << program;
+        EXPECT_THAT(run.err, HasSubstr(said));
+    }
 }
 
 TEST(LongLabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {
     const LabFolder folder;
-    std::filesystem::copy_file(DRAPE_LAB, folder.path() / "drape-lab");
-    const std::string data = find_resource("scenes/original.toml").parent_path().parent_path().string();
-    const LabRun run = folder.run({"original", "--quick", "--cases", "1-2", "--out", "out"},
-                                  (folder.path() / "drape-lab").string(), {{"DRAPE_DATA", data}});
+    const LabRun run = run_alone(folder, "1-2");
     ASSERT_EQ(run.code, 0) << run.err;
     const std::string line = "There is no " + (folder.path() / "drape-capture").string();
     ASSERT_THAT(run.err, HasSubstr(line));

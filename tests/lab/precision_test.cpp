@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "lab/experiments.h"
 #include "lab/lab_run.h"
 #include "lab/measure/states.h"
 #include "lab/measure/statistics.h"
@@ -153,10 +154,13 @@ Rows verlet_rows(const Reference& reference) {
 TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarseOrWhereSmallErrorsGrow) {
     const Reference reference = find_reference(soft());
     const auto rows = verlet_rows(reference);
-    EXPECT_THAT(precision_charts(rows), SizeIs(2)) << "of all methods, and of six";
-    EXPECT_NEAR(std::get<double>(precision_charts(rows).front().values.at("order_velocity_verlet")), 2, 0.1);
+    const std::vector<Chart> charts = precision_experiment().charts(rows);
+    EXPECT_THAT(charts, SizeIs(2)) << "of all methods, and of six";
+    EXPECT_NEAR(std::get<double>(charts.front().values.at("order_velocity_verlet")), 2, 0.1);
 
-    const auto refusal = [](const Rows& refused) { return test::run_error_of([&] { precision_charts(refused); }); };
+    const auto refusal = [](const Rows& refused) {
+        return test::run_error_of([&] { (void)precision_experiment().charts(refused); });
+    };
     const Reference coarse = find_reference(with_reference(soft(), Real(1e-4)));
     EXPECT_THAT(refusal(verlet_rows({coarse.state, reference.growth, coarse.error})),
                 AllOf(HasSubstr("'soft'"), HasSubstr("times better"), HasSubstr("no chart")));

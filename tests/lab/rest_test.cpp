@@ -6,7 +6,7 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
-#include "lab/needs/configurations.h"
+#include "lab/needs/needs.h"
 
 namespace drape {
 namespace {

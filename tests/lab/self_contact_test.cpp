@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "drape/sim/simulation.h"
-#include "lab/contact/self_contact_trial.h"
+#include "lab/contact/contact_trial.h"
 #include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"

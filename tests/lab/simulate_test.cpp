@@ -153,9 +153,9 @@ TEST(NightlyLabSingle, RunsInSinglePrecision) {
     const LabFolder folder;
     const std::vector<std::string> words{"simulate", "drop", "--time", "0.1", "--hash", "--state", "state.csv"};
     const LabRun twice = folder.run(words);
-    const auto exact = lines_of(folder.read("state.csv"));
+    const auto exact = table_of(folder, "state.csv");
     const LabRun once = folder.run(words, DRAPE_LAB_SINGLE);
-    const auto rounded = lines_of(folder.read("state.csv"));
+    const auto rounded = table_of(folder, "state.csv");
     EXPECT_EQ(once.code, 0) << once.err;
     EXPECT_THAT(once.out, MatchesRegex("[0-9a-f]+\n"));
     EXPECT_NE(once.out, twice.out);

@@ -196,7 +196,7 @@ TEST(TableCheck, ReadsWhatARunHasWrittenAndAnUnfinishedTableThatIsCutOffAnywhere
     ASSERT_TRUE(table);
     EXPECT_EQ(table->rows().size(), 3u);
     EXPECT_EQ(table->cases.at(3).size(), 2u);
-    EXPECT_EQ(line_of(table->head, "machine"), "A (R)");
+    EXPECT_EQ(table->head.at("machine"), "A (R)");
     for (std::size_t length = 0; length < whole.size(); ++length) {
         std::optional<ExperimentTable> part;
         ASSERT_NO_THROW(part = read(whole.substr(0, length), true)) << length;

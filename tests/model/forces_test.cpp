@@ -82,28 +82,6 @@ TEST(Forces, VanishInASpringOfZeroLength) {
     EXPECT_TRUE(f.isApprox(-model.drag * state.v)) << f;
 }
 
-TEST(Forces, AreTheSlopeOfTheEnergy) {
-    std::mt19937 random(3);
-    ClothParameters parameters;
-    parameters.particles = {6, 5};
-    ClothModel model = make_cloth_model(parameters);
-    ClothState state = test::random_state(parameters, random);
-    state.v.setZero();
-    Points f(state.x.rows(), 3);
-    compute_forces(model, state.x, state.v, f);
-    constexpr Real step = 1e-6;
-    for (Eigen::Index k = 0; k < state.x.size(); ++k) {
-        Real& coordinate = state.x.data()[k];
-        const Real at = coordinate;
-        coordinate = at + step;
-        const Real above = compute_energy(model, state, Kernels::Vector).total();
-        coordinate = at - step;
-        const Real below = compute_energy(model, state, Kernels::Vector).total();
-        coordinate = at;
-        EXPECT_NEAR(f.data()[k], -(above - below) / (2 * step), 1e-5 * f.cwiseAbs().maxCoeff());
-    }
-}
-
 TEST(Energy, OfAStretchedSheetIsKnown) {
     ClothParameters parameters;
     parameters.particles = {2, 2};

@@ -95,7 +95,7 @@ TEST(ClothMesh, ReachesTheEdgesOfEachClothWithFewerParticlesToo) {
     for (const auto& [nx, ny, step, cells] :
          {std::tuple{7, 5, 2, 6}, {2, 2, 2, 1}, {7, 5, 1, 24}, {8, 9, 3, 9}, {3, 2, 5, 1}}) {
         const std::vector<Grid> grids{{nx, ny}, {nx, ny}};
-        const std::vector<std::uint32_t> indices = coarse_triangle_indices(grids, step);
+        const std::vector<std::uint32_t> indices = triangle_indices(grids, step);
         ASSERT_EQ(indices.size(), 2u * 2 * 3 * static_cast<std::size_t>(cells));
 
         // Seen from the front, all turn the same way, and together they cover the whole grid, twice

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "render/tightness.h"
+#include "render/drawn_nodes.h"
 
 namespace drape {
 namespace {

@@ -1,4 +1,4 @@
-#include "render/outlines.h"
+#include "render/drawn_nodes.h"
 
 #include <gtest/gtest.h>
 

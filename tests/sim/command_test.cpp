@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <random>
 #include <set>
 
 #include "drape/base/input_error.h"
@@ -78,13 +77,6 @@ TEST(Command, KeepsItsArgumentsToTheLastBit) {
     const auto orbit = std::get<command::Orbit>(parse_command("orbit\t0.1 -0.2"));
     EXPECT_EQ(orbit.yaw, 0.1);
     EXPECT_EQ(orbit.pitch, -0.2);
-
-    std::mt19937_64 random(3);
-    std::uniform_real_distribution<Real> number(-10, 10);
-    for (int i = 0; i < 1'000; ++i) {
-        const Vec3 v(number(random), number(random), number(random));
-        EXPECT_EQ(std::get<command::Drag>(parse_command(command_text(command::Drag{v}))).target, v);
-    }
 }
 
 TEST(Command, WithWrongArgumentsIsRefusedWithItsForm) {

@@ -162,17 +162,15 @@ TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
     }
 }
 
-class FrictionOfEachMethod : public testing::TestWithParam<std::string> {};
+class FrictionOfEachMethod : public testing::TestWithParam<IntegratorKind> {};
 
-INSTANTIATE_TEST_SUITE_P(One, FrictionOfEachMethod, testing::Values("backward_euler"));
-INSTANTIATE_TEST_SUITE_P(Nightly, FrictionOfEachMethod,
-                         testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
-                         name_of_param);
+INSTANTIATE_TEST_SUITE_P(One, FrictionOfEachMethod, testing::Values(IntegratorKind::BackwardEuler));
+INSTANTIATE_TEST_SUITE_P(Nightly, FrictionOfEachMethod, testing::ValuesIn(methods_but({})), name_of_param);
 
 TEST_P(FrictionOfEachMethod, SticksIffTheSlopeIsBelowTheFrictionAngle) {
     for (const double part : {0.98, 1.02, 2.}) {
         Settings settings = sheet_at(0, {50, Real(0.02)});
-        const IntegratorKind kind = value_named<IntegratorKind>(GetParam()).value();
+        const IntegratorKind kind = GetParam();
         settings.solver.integrator = kind;
         // Steps without a limit are divided in contact; explicit Euler diverges at 1 ms
         settings.solver.dt = !has_step_limit(kind) ? 1. / 60 : kind == IntegratorKind::ExplicitEuler ? 1e-4 : 1e-3;

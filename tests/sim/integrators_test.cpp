@@ -9,17 +9,12 @@
 namespace drape {
 namespace {
 
-std::string setting(const std::string& integrator) { return "integrator=" + integrator; }
-
-/// The small scene, in as many parts as explicit Euler asks for.
-Simulation bounded_simulation(const std::string& integrator) {
-    return small_simulation({setting(integrator), "on_unstable=substep"});
-}
-
-class EveryIntegrator : public ::testing::TestWithParam<std::string> {};
+class EveryIntegrator : public ::testing::TestWithParam<IntegratorKind> {};
 
 TEST_P(EveryIntegrator, MeetsTheBallAlike) {
-    Simulation reference = small_simulation({"integrator=rk4"}), simulation = bounded_simulation(GetParam());
+    // In as many parts as explicit Euler asks for
+    Simulation reference = small_simulation({"integrator=rk4"}),
+               simulation = small_simulation({"integrator=" + name_of(GetParam()), "on_unstable=substep"});
     double deepest = 0;
     std::int64_t contacts = 0;
     for (int step = 0; step < 1024; ++step) {
@@ -37,8 +32,7 @@ TEST_P(EveryIntegrator, MeetsTheBallAlike) {
 TEST_P(EveryIntegrator, GivesAClothTheSameBitsWhateverBodyIsFarAway) {
     Settings alone = small_settings();
     alone.balls.clear();
-    const auto& names = names_of<IntegratorKind>();
-    alone.solver.integrator = static_cast<IntegratorKind>(std::ranges::find(names, GetParam()) - names.begin());
+    alone.solver.integrator = GetParam();
     alone.contact.response = ResponseKind::Hybrid;
     Settings with_ball = alone;
     BallSettings& ball = with_ball.balls.emplace_back();
@@ -54,10 +48,8 @@ TEST_P(EveryIntegrator, GivesAClothTheSameBitsWhateverBodyIsFarAway) {
 }
 
 /// The one that remembers the step before.
-INSTANTIATE_TEST_SUITE_P(One, EveryIntegrator, ::testing::Values("bdf2"));
-INSTANTIATE_TEST_SUITE_P(Nightly, EveryIntegrator,
-                         ::testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
-                         name_of_param);
+INSTANTIATE_TEST_SUITE_P(One, EveryIntegrator, ::testing::Values(IntegratorKind::Bdf2));
+INSTANTIATE_TEST_SUITE_P(Nightly, EveryIntegrator, ::testing::ValuesIn(methods_but({})), name_of_param);
 
 }  // namespace
 }  // namespace drape

@@ -55,8 +55,8 @@ class RestOnABall : public testing::TestWithParam<RestCase> {};
 /// Every method but explicit Euler, each with these responses.
 std::vector<RestCase> rest_cases(const std::vector<ResponseKind>& responses) {
     std::vector<RestCase> cases;
-    for (std::size_t i = 1; i < names_of<IntegratorKind>().size(); ++i) {
-        for (const ResponseKind response : responses) cases.emplace_back(static_cast<IntegratorKind>(i), response);
+    for (const IntegratorKind integrator : methods_but({IntegratorKind::ExplicitEuler})) {
+        for (const ResponseKind response : responses) cases.emplace_back(integrator, response);
     }
     return cases;
 }

@@ -49,7 +49,12 @@ TEST(Assignment, NeedsANameAndAValueOfItsKindAndChangesNothingWithoutThem) {
     for (const char* text :
          {"", "=", "=5", "solver.dt", "solver.dt=", "solver.dt= ", "solver.dt=x", "ball.position=1]2,3,4",
           "ball.position=[1,2,3", "ball.position=1,2,3]", "ball.position=]1,2,3[", "ball.position=1,,3",
-          "ball.position=1 2,3,4", "ball.position=1,2,3,", "ball.position=[[]]", "title=one\ntwo", "ball.radius=-1"}) {
+          "ball.position=1 2,3,4", "ball.position=1,2,3,", "ball.position=[[]]", "title=one\ntwo", "ball.radius=-1",
+          // Bad numbers among good ones, fractions, and lists of another length
+          "cloth.particles=4,nan", "cloth.size=1,0", "ball.position=0,0,1e5", "cloth.pinned=0,-1",
+          "cloth.particles=1,8", "cloth.particles=8,1", "contact.leaf_cells=4.5", "cloth.particles=4.5,4",
+          "cloth.pinned=1.5", "cloth.particles=4", "cloth.particles=4,4,4", "cloth.size=[]", "ball.position=1,2",
+          "ball.path=1,2,3", "cloth.origin=", "ball.position=[nan, nan]", "solver.dt=inf"}) {
         EXPECT_THROW(assign(settings, text), InputError) << '"' << text << '"';
     }
     EXPECT_EQ(settings.balls, with_balls(2).balls);

@@ -218,22 +218,19 @@ void drag_far(Simulation& simulation, int particle) {
     run_until(simulation, simulation.report().time + 2);
 }
 
-class HandUnderAMethod : public testing::TestWithParam<std::string> {};
+class HandUnderAMethod : public testing::TestWithParam<IntegratorKind> {};
 
-INSTANTIATE_TEST_SUITE_P(One, HandUnderAMethod, testing::Values("backward_euler"));
-INSTANTIATE_TEST_SUITE_P(Nightly, HandUnderAMethod,
-                         testing::ValuesIn(names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()),
-                         name_of_param);
+INSTANTIATE_TEST_SUITE_P(One, HandUnderAMethod, testing::Values(IntegratorKind::BackwardEuler));
+INSTANTIATE_TEST_SUITE_P(Nightly, HandUnderAMethod, testing::ValuesIn(methods_but({})), name_of_param);
 
 TEST_P(HandUnderAMethod, PullsByABoundedForceAtShortAndLongSteps) {
-    const std::string& method = GetParam();
-    const IntegratorKind kind = value_named<IntegratorKind>(method).value();
+    const IntegratorKind kind = GetParam();
     const bool any_step = !has_step_limit(kind) && kind != IntegratorKind::DormandPrince;
     for (const char* dt : {"5e-4", "0.0166667", "0.1"}) {
-        const bool heats = method == "implicit_midpoint" && dt == std::string("0.1");  // whatever moves the cloth
+        const bool heats = kind == IntegratorKind::ImplicitMidpoint && dt == std::string("0.1");  // whatever moves it
         if (heats || (!any_step && dt[0] == '0')) continue;
         Simulation simulation =
-            small_simulation({"solver.integrator=" + method, std::string("dt=") + dt, "ball.position=0,-9,0",
+            small_simulation({"solver.integrator=" + name_of(kind), std::string("dt=") + dt, "ball.position=0,-9,0",
                               "plane=xy", "drag=0.005", "structural.damping=0.2", "iterations=50"});
         drag_far(simulation, 75);
         EXPECT_LT(pull_on(simulation, 75), Real(3.3)) << dt;

@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 TEST(Simulation, AllocatesNothingInAStepOnceItHasContacts) {
     for (const char* setting :
          {"update=rebuild", "update=merge", "update=refit", "update=none", "search_level=2", "search_tests=16",
-          "sphere_fit=box", "sphere_fit=ritter", "sphere_fit=epos26", "sphere_fit=welzl"}) {
+          "sphere_fit=box", "sphere_fit=ritter", "sphere_fit=epos26", "sphere_fit=welzl", "update=insertion",
+          "volume=aabb", "volume=kdop18", "volume=kdop26", "volume=obb", "volume=brute"}) {
         Simulation simulation = small_simulation({setting, "leaf_cells=2"});
         while (simulation.report().contacts == 0) simulation.step();
         const auto before = test::allocations();
@@ -143,6 +144,33 @@ TEST(Simulation, StepsSeveralClothsAsIfEachWereAlone) {
     EXPECT_EQ(two.cloths()[0].state.x, one.cloths()[0].state.x);
     EXPECT_NE(two.cloths()[1].state.x, one.cloths()[0].state.x);
     EXPECT_EQ(two.report().contacts, one.report().contacts);
+}
+
+TEST(ReportFields, HaveNamesOfTheirOwnAndUnitsThatThePanelKnows) {
+    const std::set<std::string_view> units{"", "1", "s", "us", "m", "m/s", "J"};
+    std::set<std::string_view> names, labels;
+    for (const ReportField& field : report_fields()) {
+        EXPECT_TRUE(names.insert(field.name).second) << field.name;
+        EXPECT_TRUE(units.contains(field.unit)) << field.name;
+        if (field.label.empty()) continue;
+        EXPECT_TRUE(labels.insert(field.label).second) << field.label;
+        EXPECT_LE(field.label.size(), 15u) << field.label << " runs into its value";
+        EXPECT_GE(field.importance, 1) << field.label;
+    }
+}
+
+TEST(ReportFields, AreNeverMoreThanTheirWhole) {
+    Simulation simulation = small_simulation({"search_tests=9", "leaf_cells=1"});
+    int parts = 0;
+    for (int step = 0; step < 1000; ++step) {
+        simulation.step();
+        for (const ReportField& field : report_fields()) {
+            if (field.whole == nullptr) continue;
+            ++parts;
+            EXPECT_LE(field.read(simulation.report()), field.whole(simulation.report())) << field.name;
+        }
+    }
+    EXPECT_GT(parts, 5000);
 }
 
 }  // namespace

@@ -2,38 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "drape/sim/sleep_watch.h"
 #include "sim/small_scene.h"
 
 namespace drape {
 namespace {
-
-/// Whether a particle that moves as `place` says is ever taken for resting within ten seconds.
-template <class Place>
-bool ever_rests(Place place, Real speed) {
-    const Real distance = speed * static_cast<Real>(RestWatch::duration);
-    RestWatch watch;
-    for (int step = 0; step <= 10 * 1024; ++step) {
-        const double time = step / 1024.0;
-        Points x = Points::Zero(3, 3);
-        x(1, 0) = static_cast<Real>(place(time));
-        if (watch.look(x, time, distance, Kernels::Vector)) return true;
-    }
-    return false;
-}
-
-TEST(RestWatch, TakesOnlyWhatStaysForResting) {
-    const Real speed = 1e-3;
-    EXPECT_TRUE(ever_rests([](double) { return 5.0; }, speed));
-    EXPECT_TRUE(ever_rests([](double t) { return 1e-4 * std::sin(1000 * t); }, speed)) << "0.1 m/s, but on the spot";
-    EXPECT_TRUE(ever_rests([](double t) { return 0.5e-3 * t; }, speed)) << "half as fast as the bound";
-    EXPECT_TRUE(ever_rests([](double t) { return std::exp(-2 * t); }, speed)) << "once it has come to rest";
-    EXPECT_FALSE(ever_rests([](double t) { return 1.1e-3 * t; }, speed)) << "a creep";
-    for (const double period : {0.1, 1.0, 4.0, 8.0}) {
-        EXPECT_FALSE(ever_rests([&](double t) { return 0.05 * std::cos(6.283185307 / period * t); }, speed))
-            << "a swing that is slow at its turning points, of " << period << " s";
-    }
-}
 
 /// A cloth in thick air, which comes to rest against its ball soon.
 Simulation thick_simulation(std::vector<std::string> assignments = {}) {

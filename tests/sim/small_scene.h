@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "drape/scene/scene.h"
 #include "drape/scene/setting_table.h"
@@ -60,6 +62,16 @@ inline std::vector<std::string> scenes_that_fail(bool fail) {
     std::vector<std::string> names = scene_names();
     std::erase_if(names, [&](const std::string& name) { return name.starts_with("fails_") != fail; });
     return names;
+}
+
+/// Every method but some.
+inline std::vector<IntegratorKind> methods_but(const std::vector<IntegratorKind>& others) {
+    std::vector<IntegratorKind> methods;
+    for (const std::string& name : names_of<IntegratorKind>()) {
+        const IntegratorKind kind = value_named<IntegratorKind>(name).value();
+        if (std::ranges::count(others, kind) == 0) methods.push_back(kind);
+    }
+    return methods;
 }
 
 /// What the case of a test suite is called: as its parameter, or the two of which that is made.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -57,13 +58,6 @@ using AllVolumes = TypesOf<AnyVolume>::Types;
 /// One of each sort, for what does not depend on the number of slabs.
 using UnlikeVolumes = ::testing::Types<BoundingSphere, Aabb, KDop<18>, Obb>;
 
-/// Every update there is.
-inline std::vector<UpdateKind> all_updates() {
-    std::vector<UpdateKind> updates;
-    for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) updates.push_back(static_cast<UpdateKind>(u));
-    return updates;
-}
-
 /// Names typed tests by their volume.
 struct VolumeNames {
     template <class V>
@@ -77,12 +71,16 @@ inline Patch whole(const Points& x, const Grid& grid) {
     return {x.col(0).data(), x.col(1).data(), x.col(2).data(), grid.nx, grid.ny, grid.nx};
 }
 
-/// The farthest that a particle of a patch stands out of a volume.
+/// The farthest that a particle of a patch stands out of a volume; NaN if one does.
 template <class Volume>
 long double farthest_out(const Volume& volume, const Patch& patch) {
     long double most = -std::numeric_limits<long double>::infinity();
     for (int j = 0; j < patch.rows; ++j) {
-        for (int i = 0; i < patch.columns; ++i) most = std::max(most, stands_out(volume, patch.at(i, j)));
+        for (int i = 0; i < patch.columns; ++i) {
+            const long double out = stands_out(volume, patch.at(i, j));
+            if (std::isnan(out)) return out;
+            most = std::max(most, out);
+        }
     }
     return most;
 }

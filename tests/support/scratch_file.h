@@ -1,8 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -12,20 +9,17 @@
 
 namespace drape::test {
 
-/// A file of this process's own, gone with the object.
+/// A file of this name in a folder of its own, gone with the object.
 class ScratchFile {
 public:
-    explicit ScratchFile(const std::string& name)
-        : path_(std::filesystem::path(testing::TempDir()) / ("drape_" + std::to_string(getpid()) + "_" + name)) {}
+    explicit ScratchFile(const std::string& name) : path_(folder_.path() / name) {}
     ScratchFile(const std::string& name, std::string_view text) : ScratchFile(name) { write(text); }
-    ~ScratchFile() { std::filesystem::remove(path_); }
-    ScratchFile(const ScratchFile&) = delete;
-    ScratchFile& operator=(const ScratchFile&) = delete;
 
     void write(std::string_view text) const { std::ofstream(path_, std::ios::binary) << text; }
     [[nodiscard]] std::string name() const { return path_.string(); }
 
 private:
+    ScratchFolder folder_;
     std::filesystem::path path_;
 };
 

@@ -38,6 +38,14 @@ consteval std::size_t count_values() {
 template <Enumeration Enum>
 inline constexpr std::size_t enum_count = count_values<Enum>();
 
+/// All of them.
+template <Enumeration Enum>
+std::vector<Enum> values_of() {
+    std::vector<Enum> values;
+    for (std::size_t k = 0; k < enum_count<Enum>; ++k) values.push_back(static_cast<Enum>(k));
+    return values;
+}
+
 /// The name to show where it cannot follow from the enumerator's; empty: it follows.
 template <auto Value>
 inline constexpr std::string_view other_name = "";

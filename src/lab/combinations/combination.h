@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drape/scene/settings.h"
-#include "lab/experiment/row.h"
+#include "lab/experiment/experiment.h"
 
 namespace drape {
 

@@ -10,7 +10,6 @@
 #include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {

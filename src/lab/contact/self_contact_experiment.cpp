@@ -6,13 +6,11 @@
 #include <map>
 #include <numbers>
 
+#include "contact_trial.h"
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
-#include "drape/base/numbers.h"
 #include "drape/contact/near_pairs.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
-#include "self_contact_trial.h"
 
 namespace drape {
 namespace {
@@ -97,10 +95,7 @@ SelfContactRun watch_sheets(const ContactScene& scene, double step, FailSafe fai
 double time_sheets(const ContactScene& scene, double step, FailSafe fail_safe) {
     ContactTrial sheets(scene.settings, scene.start);
     const auto steps = std::llround(sheet_seconds / step);
-    const double seconds = cpu_time_of([&] {
-        for (std::int64_t k = 0; k < steps; ++k) make_step(sheets, fail_safe, static_cast<Real>(step));
-    });
-    return seconds / sheet_seconds;
+    return cpu_time_of([&] { make_step(sheets, fail_safe, static_cast<Real>(step)); }, steps) / step;
 }
 
 /// The runs of a thickness, those of each step timed in turn.
@@ -133,11 +128,6 @@ ExperimentCases self_contact_cases(bool quick) {
         quick ? std::vector{120.0, 240.0, 480.0, 960.0} : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
     return cases_over([=](double thickness) { return run_thickness(thickness, rates, quick ? 2 : 4, quick ? 1 : 5); },
                       std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
-}
-
-std::vector<Chart> self_contact_charts(const Rows& rows) {
-    const auto shown = words_of(rows, [](const Row& row) { return real_text(1e3 * row.number("thickness_m"), 4); });
-    return {{"self_contact", {{"thicknesses", in_words(shown)}}}};
 }
 
 }  // namespace
@@ -214,7 +204,7 @@ Experiment self_contact_experiment() {
              number_column("rejected"), number_column("cpu_s_per_s").with_quartiles()},  // time for a simulated second
             {{"thickness_m", "step_s", "fail_safe"},
              {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
-            {{"", self_contact_cases, self_contact_charts}}};
+            {{"", self_contact_cases, charts_of({{.name = "self_contact"}})}}};
 }
 
 }  // namespace drape

@@ -1,6 +1,5 @@
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 
 #include "drape/base/exact_math.h"
@@ -156,12 +155,10 @@ Rows times_of(int side, int steps) {
             };
             constexpr int in_a_row = 16;  // a search is shorter than what the clock takes
             const double build = cpu_time_of([&] { one.detector.build(to); });
-            const double searches = cpu_time_of([&] {
-                for (int k = 0; k < in_a_row; ++k) search();
-            });
+            const double searched = cpu_time_of(search, in_a_row);
             if (step < 0) continue;  // it has warmed the caches
             one.build.push_back(build);
-            one.search.push_back(searches / in_a_row);
+            one.search.push_back(searched);
         }
     }
     Rows rows;
@@ -188,14 +185,6 @@ ExperimentCases time_cases(bool quick) {
                       quick ? std::vector{32, 64} : std::vector{16, 32, 64, 128, 256, 512});
 }
 
-std::vector<Chart> miss_charts(const Rows& rows) {
-    return {{"continuous_misses", {{"targets", in_words(words_of(rows, "target"))}}}};
-}
-
-std::vector<Chart> time_charts(const Rows& rows) {
-    return {{"continuous_time", {{"detections", in_words(words_of(rows, "detection"))}}}};
-}
-
 }  // namespace
 
 Experiment continuous_experiment() {
@@ -212,7 +201,8 @@ Experiment continuous_experiment() {
              number_column("search_s").or_nan().with_quartiles()},
             {{"part", "target", "detection", "q", "particles"},
              {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
-            {{"misses", miss_cases, miss_charts}, {"time", time_cases, time_charts}}};
+            {{"misses", miss_cases, charts_of({{.name = "continuous_misses"}})},
+             {"time", time_cases, charts_of({{.name = "continuous_time"}})}}};
 }
 
 }  // namespace drape

@@ -5,10 +5,36 @@
 #include <cmath>
 
 #include "drape/base/assert.h"
+#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 
 namespace drape {
 namespace {
+
+/// The name of a quartile's column beside that of its median: NAME_lower_UNIT.
+std::string quartile_name(const std::string& column, const char* mark) {
+    return std::string(column).insert(column.find('_'), mark);
+}
+
+bool has_word(const Column& column, const std::string& cell) {
+    return std::ranges::find(column.words, cell) != column.words.end();
+}
+
+bool has_number(const Column& column, const std::string& cell) {
+    constexpr double most_whole = 9007199254740992;  // 2^53: up to here a double tells all whole numbers apart
+    const auto number = parse_real(cell);
+    if (column.kind == Column::Kind::Word || !number || !std::isfinite(*number)) return false;
+    if (column.kind == Column::Kind::Whole && (*number != std::floor(*number) || *number > most_whole)) return false;
+    return column.kind == Column::Kind::Positive ? *number > column.least : *number >= column.least;
+}
+
+/// What a cell may be, as a message says it.
+std::string allowed_in(const Column& column) {
+    if (column.kind == Column::Kind::Word) return listed(column.words);
+    const std::string text = fmt::format("a {} number {} {}", column.kind == Column::Kind::Whole ? "whole" : "finite",
+                                         column.kind == Column::Kind::Positive ? ">" : ">=", real_text(column.least));
+    return column.words.empty() ? text : text + ", or " + listed(column.words);
+}
 
 /// Words stand for themselves but for "none", numbers with the names of their columns.
 std::string label_of(const Experiment& experiment, const Row& row) {
@@ -37,6 +63,79 @@ std::string range_of(const Rows& rows, const std::string& column) {
 }
 
 }  // namespace
+
+Column Column::or_words(const std::vector<std::string>& others) const {
+    Column more = *this;
+    more.words.insert(more.words.end(), others.begin(), others.end());
+    return more;
+}
+
+Columns Column::with_quartiles() const {
+    Columns three{*this};
+    for (const char* mark : {"_lower", "_upper"}) {
+        three.push_back(*this);
+        three.back().name = quartile_name(name, mark);
+    }
+    return three;
+}
+
+std::string flaw_of(const Columns& columns, const TableRow& row) {
+    DRAPE_ASSERT(row.size() == columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (has_word(columns[k], row[k]) || has_number(columns[k], row[k])) continue;
+        return "column " + columns[k].name + ": '" + shortened(row[k]) + "': allowed " + allowed_in(columns[k]);
+    }
+    return "";
+}
+
+void Row::set(const std::string& column, const Cell& cell) {
+    cells_.insert_or_assign(column, cell);
+    if (const auto* quartiles = std::get_if<Quartiles>(&cell)) {
+        set(column, quartiles->median);
+        set(quartile_name(column, "_lower"), quartiles->lower);
+        set(quartile_name(column, "_upper"), quartiles->upper);
+    }
+}
+
+void Row::set(const Row& other) {
+    for (const auto& [column, cell] : other.cells_) set(column, cell);
+}
+
+std::string Row::text(const Column& column, int digits) const {
+    const auto found = cells_.find(column.name);
+    const bool is_word = column.kind == Column::Kind::Word;
+    const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
+    if (is_word != std::holds_alternative<std::string>(cell)) {
+        throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
+    }
+    if (is_word) return std::get<std::string>(cell);
+    const double number = std::get<double>(cell);
+    if (std::isnan(number) && has_word(column, "")) return "";
+    return real_text(number, column.kind == Column::Kind::Whole ? 17 : digits);
+}
+
+TableRow Row::texts(const Columns& columns, int digits) const {
+    for (const auto& [name, cell] : cells_) {
+        if (std::ranges::find(columns, name, &Column::name) != columns.end()) continue;
+        throw RunError("a row has a cell for '" + name + "', and its table no such column");
+    }
+    TableRow texts;
+    for (const Column& column : columns) texts.push_back(text(column, digits));
+    return texts;
+}
+
+Rows rows_with(Rows rows, const char* column, const std::string& word) {
+    std::erase_if(rows, [&](const Row& row) { return row.word(column) != word; });
+    return rows;
+}
+
+std::vector<std::string> words_of(const Rows& rows, const char* column) {
+    std::vector<std::string> words;
+    for (const Row& row : rows) {
+        if (std::ranges::find(words, row.word(column)) == words.end()) words.push_back(row.word(column));
+    }
+    return words;
+}
 
 ChartsOfRows charts_by(const char* column, const char* script) {
     return [column, script](const Rows& rows) {

@@ -76,33 +76,33 @@ Row row_from(const Columns& columns, const TableRow& texts) {
 }
 
 /// Reads a table line after line, and checks each.
-class TableReader {
+class TableReader : LineReader {
 public:
     TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
-        : experiment_(experiment), reader_(in, name, longest_table_line), unfinished_(unfinished) {}
+        : LineReader(in, name, longest_table_line), experiment_(experiment), unfinished_(unfinished) {}
 
-    /// @return empty where it is cut off before its head ends
-    TableHead read_head() {
+    /// @return nothing where it is cut off before its head ends
+    std::optional<TableHead> read_head() {
         TableHead head;
-        for (const std::string name :
-             {"experiment", "drape", "commit", "machine", "compiler", "date", "settings", "cases"}) {
+        for (const std::string name : head_lines) {
             if (!next()) return {};
             const std::string mark = "# " + name + ": ";
-            if (!line().starts_with(mark)) reader_.fail("'{}': allowed '{}' of a head", shortened(line()), mark);
-            head.emplace_back(name, line().substr(mark.size()));
+            if (!line().starts_with(mark)) fail("'{}': allowed '{}' of a head", shortened(line()), mark);
+            head[name] = line().substr(mark.size());
         }
         return head;
     }
 
     /// Reads all of it.
     std::optional<ExperimentTable> read() {
-        ExperimentTable table{read_head(), {}};
-        const auto wanted = table.head.empty() ? std::vector<std::size_t>{} : cases_of(table.head);
-        if (table.head.empty() || !next()) {
+        const auto head = read_head();
+        const auto wanted = head ? cases_of(*head) : std::vector<std::size_t>{};
+        if (!head || !next()) {
             if (unfinished_) return {};
-            reader_.fail("there is no table");
+            fail("there is no table");
         }
-        if (line() != columns_line(experiment_)) reader_.fail("these are not the columns of {}", experiment_.name);
+        if (line() != columns_line(experiment_)) fail("these are not the columns of {}", experiment_.name);
+        ExperimentTable table{*head, {}};
         while (next()) {
             if (line().starts_with(table_end_mark)) {
                 check_end(table.cases.size(), wanted);
@@ -110,37 +110,35 @@ public:
             }
             const auto cells = split_at_commas(line());
             if (cells.size() != experiment_.columns.size() + 1) {
-                reader_.fail("{} cells: allowed {}", cells.size(), experiment_.columns.size() + 1);
+                fail("{} cells: allowed {}", cells.size(), experiment_.columns.size() + 1);
             }
             const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
             const TableRow texts(cells.begin() + 1, cells.end());
-            if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) reader_.fail("{}", flaw);
+            if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) fail("{}", flaw);
             const Row& row = table.cases[number].emplace_back(row_from(experiment_.columns, texts));
             // No digit may vanish where the row is written again
             const TableRow again = row.texts(experiment_.columns, experiment_.digits);
             for (std::size_t k = 0; k < texts.size(); ++k) {
                 if (texts[k] == again[k]) continue;
-                reader_.fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
-                             shortened(texts[k]), again[k]);
+                fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
+                     shortened(texts[k]), again[k]);
             }
         }
-        if (!unfinished_) reader_.fail("cut off: expected '{}', the number of cases", table_end_mark);
+        if (!unfinished_) fail("cut off: expected '{}', the number of cases", table_end_mark);
         // Its last rows may be missing. Cases are computed in ascending order
         if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
         return table;
     }
 
 private:
-    [[nodiscard]] const std::string& line() const { return reader_.line(); }
-
     /// False at the end, or where an unfinished table is cut off.
     bool next() {
-        const LineEnd end = reader_.next();
+        const LineEnd end = LineReader::next();
         if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
-        if (end == LineEnd::CutOff) reader_.fail("cut off");
+        if (end == LineEnd::CutOff) fail("cut off");
         const auto foreign = std::ranges::find_if(line(), [](char c) { return c < ' ' || c > '~'; });
         if (foreign != line().end()) {
-            reader_.fail("byte {} is no printable ASCII character", foreign - line().begin() + 1);
+            fail("byte {} is no printable ASCII character", foreign - line().begin() + 1);
         }
         return true;
     }
@@ -148,18 +146,18 @@ private:
     /// The numbers of the cases that a table with this head has when it is finished.
     [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const {
         const auto demand = [&](const std::string& name, bool good, const std::string& allowed) {
-            if (!good) reader_.fail("{} = '{}' above: allowed {}", name, shortened(line_of(head, name)), allowed);
+            if (!good) fail("{} = '{}' above: allowed {}", name, shortened(head.at(name)), allowed);
         };
-        const long long count = parse_integer(line_of(head, "cases")).value_or(0);
-        const auto selection = parse_selection(line_of(head, "settings"));
-        demand("experiment", line_of(head, "experiment") == experiment_.name, "'" + experiment_.name + "'");
+        const long long count = parse_integer(head.at("cases")).value_or(0);
+        const auto selection = parse_selection(head.at("settings"));
+        demand("experiment", head.at("experiment") == experiment_.name, "'" + experiment_.name + "'");
         demand("settings", selection.has_value(),
                "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
         demand("cases", count >= 1 && count <= most_cases, fmt::format("1 to {}", most_cases));
         try {
             return selection->numbers(static_cast<std::size_t>(count));
         } catch (const InputError& error) {
-            reader_.fail("the settings above have {}", error.what());
+            fail("the settings above have {}", error.what());
         }
     }
 
@@ -172,21 +170,20 @@ private:
             allowed.push_back(std::to_string(wanted[k]));
             if (cell == allowed.back()) return wanted[k];
         }
-        reader_.fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
-                     allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
+        fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
+             allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
     }
 
     /// At the line that begins as the last one does.
     /// @param there how many cases are above
     void check_end(std::size_t there, const std::vector<std::size_t>& wanted) const {
         const std::string end = fmt::format("{}{}", table_end_mark, there);
-        if (line() != end) reader_.fail("'{}': allowed '{}', the number of cases above", shortened(line()), end);
-        if (there < wanted.size()) reader_.fail("case {} is missing above", wanted[there]);
-        if (!reader_.at_end()) reader_.fail("there is more after the end");
+        if (line() != end) fail("'{}': allowed '{}', the number of cases above", shortened(line()), end);
+        if (there < wanted.size()) fail("case {} is missing above", wanted[there]);
+        if (!at_end()) fail("there is more after the end");
     }
 
     const Experiment& experiment_;
-    LineReader reader_;
     bool unfinished_;
 };
 
@@ -229,17 +226,10 @@ TableHead head_of(const Experiment& experiment, const CaseSelection& selection, 
             {"cases", std::to_string(cases)}};
 }
 
-std::string line_of(const TableHead& head, const std::string& name) {
-    for (const auto& [key, value] : head) {
-        if (key == name) return value;
-    }
-    return "";
-}
-
 std::string difference(const TableHead& head, const TableHead& wanted, const std::set<std::string>& but) {
-    for (const auto& [key, value] : wanted) {
-        const std::string there = line_of(head, key);
-        if (there != value && !but.contains(key)) return key + ": " + there + ", not " + value;
+    for (const std::string line : head_lines) {
+        if (but.contains(line) || head.at(line) == wanted.at(line)) continue;
+        return line + ": " + head.at(line) + ", not " + wanted.at(line);
     }
     return "";
 }
@@ -262,7 +252,7 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
     return read_table(experiment, in, file.string(), unfinished);
 }
 
-TableHead read_head(const Experiment& experiment, const std::filesystem::path& file) try {
+std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
     if (!exists(file)) return {};
     InputFile in(file.string(), largest_table, InputKind::Regular);
     return TableReader(experiment, in, file.string(), true).read_head();
@@ -274,7 +264,7 @@ std::filesystem::path unfinished_name(const std::filesystem::path& file) { retur
 
 TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)
     : experiment_(experiment), file_(file), out_(unfinished_name(file).string()) {
-    for (const auto& [key, value] : table.head) out_.stream() << "# " << key << ": " << value << '\n';
+    for (const char* line : head_lines) out_.stream() << "# " << line << ": " << table.head.at(line) << '\n';
     out_.stream() << columns_line(experiment) << '\n';
     for (const auto& [number, rows] : table.cases) write(number, rows);
     // What was there is in it, and is not touched before

@@ -6,7 +6,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drape/base/output_file.h"
@@ -32,15 +31,16 @@ struct CaseSelection {
 /// Reads what `text` has written; nothing if it is anything else. What the options say is not looked at.
 std::optional<CaseSelection> parse_selection(const std::string& text);
 
-/// What a table says of where it is from, a line each: "machine", "Intel ...".
-using TableHead = std::vector<std::pair<std::string, std::string>>;
+/// The names of the lines at the head of a table, in their order.
+inline constexpr const char* head_lines[] = {"experiment", "drape", "commit",   "machine",
+                                             "compiler",   "date",  "settings", "cases"};
+
+/// What a table says of where it is from, by the names of its lines: "machine", "Intel ...".
+using TableHead = std::map<std::string, std::string>;
 
 /// The head of a table that is computed here and now.
 /// @param cases that there are in all
 TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases);
-
-/// The line of that name; empty if there is none.
-std::string line_of(const TableHead& head, const std::string& name);
 
 /// The first line in which two heads differ, but for some that may: "commit: A, not B"; empty if there is none.
 std::string difference(const TableHead& head, const TableHead& wanted, const std::set<std::string>& but);
@@ -71,8 +71,8 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
                                           bool unfinished);
 
 /// The head of a table whose rows are not looked at.
-/// @return empty if there is no such file, or it does not begin with a head
-TableHead read_head(const Experiment& experiment, const std::filesystem::path& file);
+/// @return nothing if there is no such file, or it does not begin with a head
+std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file);
 
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {
@@ -99,5 +99,11 @@ private:
 
 /// Under which a table is written until it is finished.
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
+
+/// Shows a finished table: prints the summary, draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which
+/// stays there for who wants to change it, and writes index.html, which opens from disk and needs nothing but these.
+/// Says which charts had nothing to draw, unless the table has only some of the cases.
+/// @throws RunError if a file cannot be read or written, or gnuplot fails
+void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 
 }  // namespace drape

@@ -1,4 +1,4 @@
-#include "run_experiment.h"
+#include "experiment_table.h"
 
 #include <fmt/core.h>
 
@@ -49,13 +49,12 @@ std::string script_text(const std::string& name) {
 std::string caption_of(const std::string& name, const std::string& script, const std::string& more) {
     constexpr std::string_view mark = "# caption: ";
     std::istringstream text(script);
-    std::vector<std::string> parts;
+    std::string caption;
     for (std::string line; std::getline(text, line);) {
-        if (line.starts_with(mark)) parts.push_back(line.substr(mark.size()));
+        if (line.starts_with(mark)) caption += line.substr(mark.size()) + " ";
     }
-    if (parts.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
-    if (!more.empty()) parts.push_back(more);
-    return in_words(parts);
+    if (caption.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
+    return std::string(trimmed(caption + more));
 }
 
 /// Text as a page shows it.
@@ -78,12 +77,6 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     for (Chart chart : charts) {
         const std::string name = checked_name(chart.name), script = name + ".gnuplot";
         chart.values.insert({{"name", name}, {"table", table.filename().string()}});
-        if (!chart.data.empty()) {
-            chart.values["data"] = name + "_data.csv";
-            OutputFile data((folder / (name + "_data.csv")).string());
-            data.stream() << chart.data;
-            data.close();
-        }
         const std::string own_name = chart.script.empty() ? name : chart.script, own = script_text(own_name);
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
@@ -117,8 +110,8 @@ constexpr const char* style =
 void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
                        const std::string& summary, const std::filesystem::path& table) {
     std::string lines;
-    for (const auto& [key, value] : head) {
-        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(key), escaped(value));
+    for (const char* line : head_lines) {
+        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
     }
     OutputFile file((table.parent_path() / "index.html").string());
     file.stream() << fmt::format(
@@ -156,7 +149,7 @@ void present(const Experiment& experiment, const ExperimentTable& table, const s
     const auto rows = table.rows();
     const std::string summary = summary_of(experiment, rows);
     std::cout << summary;
-    const bool all = line_of(table.head, "settings").find(" --") == std::string::npos;  // neither cases nor a share
+    const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
     write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file, all), summary, file);
 }
 

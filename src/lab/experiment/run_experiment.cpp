@@ -1,7 +1,11 @@
-#include "run_experiment.h"
+#include "lab/commands.h"
+
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
+#include <set>
 
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
@@ -10,6 +14,7 @@
 #include "drape/base/run_program.h"
 #include "drape/base/stopwatch.h"
 #include "drape/base/unfinished_file.h"
+#include "experiment_table.h"
 
 namespace drape {
 namespace {
@@ -87,12 +92,86 @@ void run(const Experiment& experiment, std::span<const Experiment> all, const Ru
     const FolderLock lock(file);
     const TableHead head = head_of(experiment, options.selection, cases.size());
     // The finished table of the same program, machine and settings is used; anything else is none of ours
-    const bool is_done = !options.again && !exists(unfinished_name(file)) &&
-                         difference(read_head(experiment, file), head, {"date"}).empty();
+    const auto there = read_head(experiment, file);
+    const bool is_done =
+        !options.again && !exists(unfinished_name(file)) && there && difference(*there, head, {"date"}).empty();
     if (!is_done) compute(experiment, cases, wanted, head, file);
     const ExperimentTable table = finished(experiment, file);
     if (is_done) tell(file.string() + ": all cases are there already; --again computes them once more");
     present(experiment, table, file);
+}
+
+struct MergeOptions {
+    std::vector<std::string> folders;
+    std::string out = "merged";
+};
+
+/// The tables of all shares as that of a single run; nothing if there is none in these folders.
+/// @throws InputError unless all are finished and of the same run but for date and machine, and have each case once
+std::optional<ExperimentTable> joined(const Experiment& experiment, const std::vector<std::string>& folders) {
+    std::optional<ExperimentTable> whole;
+    std::string first;
+    std::map<std::size_t, std::string> file_of;  // of each case
+    std::set<std::string> machines;
+    for (const std::filesystem::path folder : folders) {
+        const auto path = folder / (experiment.name + ".csv");
+        std::string file = path.string();
+        if (exists(unfinished_name(path))) {
+            throw InputError(unfinished_name(path).string() + ": not finished; start its run again to go on with it");
+        }
+        auto share = read_table(experiment, path, false);
+        if (!share) continue;
+        machines.insert(share->head["machine"]);
+        std::string& settings = share->head["settings"];
+        if (const std::size_t mark = settings.find(" --share "); mark != std::string::npos) {
+            file += " (" + settings.substr(mark + 1) + ")";
+            settings.resize(mark);
+        }
+        if (!whole) {
+            first = file;
+            whole = ExperimentTable{share->head, {}};
+        }
+        if (const auto differs = difference(share->head, whole->head, {"date", "machine"}); !differs.empty()) {
+            throw InputError(fmt::format("{} is of another run than {} ({})", file, first, differs));
+        }
+        for (const auto& [number, rows] : share->cases) {
+            const auto [other, is_new] = file_of.emplace(number, file);
+            if (!is_new) throw InputError(fmt::format("case {} is in {} and in {}", number, other->second, file));
+        }
+        whole->cases.merge(share->cases);
+    }
+    if (!whole) return {};
+    const CaseSelection selection = parse_selection(whole->head["settings"]).value();
+    for (const std::size_t number : selection.numbers(std::stoul(whole->head["cases"]))) {
+        if (whole->cases.contains(number)) continue;
+        throw InputError(fmt::format("case {} is missing beside {}: not all shares are there", number, first));
+    }
+    whole->head["machine"] = fmt::format("{}", fmt::join(machines, "; "));
+    return whole;
+}
+
+void merge(std::span<const Experiment> experiments, const MergeOptions& options) {
+    std::map<const Experiment*, ExperimentTable> found;
+    for (const Experiment& experiment : experiments) {
+        if (auto table = joined(experiment, options.folders)) found[&experiment] = std::move(*table);
+    }
+    if (found.empty()) throw InputError("there is no table of an experiment in " + options.folders.front());
+    for (const auto& [of, table] : found) {
+        const Experiment& experiment = *of;
+        // A folder has one page
+        const std::filesystem::path out = options.out, folder = found.size() == 1 ? out : out / experiment.name;
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        const auto file = folder / (experiment.name + ".csv");
+        const FolderLock lock(file);
+        if (exists(unfinished_name(file))) {
+            throw InputError(unfinished_name(file).string() +
+                             ": an unfinished run is there; name another folder by --out");
+        }
+        TableWriter(experiment, file, table).finish();
+        tell(file.string() + ": " + std::to_string(table.cases.size()) + " cases");
+        present(experiment, table, file);
+    }
 }
 
 }  // namespace
@@ -112,6 +191,17 @@ void add_experiments(CommandLine& line, std::span<const Experiment> experiments)
         command.footer(
             [] { return "An interrupted run goes on where it was when it is started again. `merge` joins shares."; });
     }
+}
+
+void add_merge(CommandLine& line, std::span<const Experiment> experiments) {
+    auto options = std::make_shared<MergeOptions>();
+    CommandLine& command = line.command("merge", "Joins the tables of shares, and draws their charts",
+                                        [experiments, options] { merge(experiments, *options); });
+    command.option("folders", options->folders, "folders that --share runs have written", {"DIR...", true});
+    command.option("--out", options->out,
+                   "folder for table, charts and page, or for a folder an experiment where there are several; "
+                   "'merged' if not given",
+                   {"DIR"});
 }
 
 }  // namespace drape

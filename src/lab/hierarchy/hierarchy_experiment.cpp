@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,7 +13,6 @@
 #include "drape/sim/simulation.h"
 #include "hierarchy_run.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
@@ -76,37 +77,31 @@ ExperimentCases cases_of(const SharedMotions& motions, const std::vector<MotionW
 }
 
 /// A row about a hierarchy on some frames of a motion. The parts of the experiment share the columns.
-Row row_of(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
-           std::span<const FrameRun> frames) {
-    std::int64_t candidates = 0, touching = 0;
-    for (const FrameRun& frame : frames) candidates += frame.candidates, touching += frame.touching;
-    const double false_ones = static_cast<double>(candidates - touching), true_ones = static_cast<double>(touching);
-    Row row{{"part", part},
-            {"scene", motion.scene},
+Row row_of(const RecordedMotion& motion, const BroadPhaseParameters& parameters, std::span<const FrameRun> frames) {
+    const double candidates = sum_over(frames, "candidates"), touching = sum_over(frames, "touching");
+    Row row{{"scene", motion.scene},
             {"volume", parameters.volume},
             {"update", parameters.update},
             {"particles", motion.grid.particles()},
             {"leaf_cells", parameters.leaf_cells},
             {"interval_s", motion.interval},
-            {"nodes", mean_over(frames, &FrameRun::nodes)},
-            {"visited", mean_over(frames, &FrameRun::visited)},
-            {"candidates", mean_over(frames, &FrameRun::candidates)},
-            {"touching", mean_over(frames, &FrameRun::touching)},
-            {"false_per_true", touching > 0 ? false_ones / true_ones : no_number}};
+            {"false_per_true", touching > 0 ? (candidates - touching) / touching : no_number}};
+    for (const char* count : {"nodes", "visited", "candidates", "touching"}) {
+        row.set(count, sum_over(frames, count) / static_cast<double>(frames.size()));
+    }
     if (parameters.volume == VolumeKind::Sphere) row.set("sphere_fit", parameters.sphere_fit);
     return row;
 }
 
 /// Takes a hierarchy along a motion, and adds a row about it.
-HierarchyRun add_row(const char* part, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
-                     const RunPlan& plan, Rows& rows) {
+HierarchyRun add_row(const RecordedMotion& motion, const BroadPhaseParameters& parameters, const RunPlan& plan,
+                     Rows& rows) {
     HierarchyRun run = follow(motion, *make_broad_phase(parameters, motion.grid), plan);
-    rows.push_back(row_of(part, motion, parameters, run.frames));
-    rows.back().set({{"build_s", quartiles_over(run.timed(), &FrameTimes::build)},
-                     {"query_s", quartiles_over(run.timed(), &FrameTimes::query)},
-                     {"exact_s", quartiles_over(run.timed(), &FrameTimes::exact)},
-                     {"whole_s", quartiles_over(run.timed(), &FrameTimes::whole)},
-                     {"tightness", over_levels(run.levels).mean()}});
+    rows.push_back(row_of(motion, parameters, run.frames));
+    for (const char* time : {"build_s", "query_s", "exact_s", "whole_s"}) {
+        rows.back().set(time, quartiles_over(run.timed(), time));
+    }
+    rows.back().set("tightness", over_levels(run.levels).mean());
     return run;
 }
 
@@ -144,7 +139,7 @@ ExperimentCases fits(bool quick, const SharedMotions& motions) {
     }
     return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
         const RunPlan plan{.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)};
-        add_row("fit", motion, parameters, plan, rows);
+        add_row(motion, parameters, plan, rows);
     });
 }
 
@@ -160,7 +155,7 @@ ExperimentCases levels(bool quick, const SharedMotions& motions) {
         double visited_above = 0;
         for (int level = 0; level <= tree.back().level; ++level) {
             parameters.search.level = level;
-            const HierarchyRun run = add_row("level", motion, parameters, plan, rows);
+            const HierarchyRun run = add_row(motion, parameters, plan, rows);
             Row& row = rows.back();
             const double visited = row.number("visited");
             row.set({{"level", level},
@@ -220,7 +215,7 @@ ExperimentCases budgets(bool quick, const SharedMotions& motions) {
         simulate(motion.scene, parameters, time, full);
         for (const SearchLimit& limit : limits(motion.grid, parameters.leaf_cells, quick)) {
             parameters.search = limit;
-            add_row("budget", motion, parameters, {.repeats = quick ? 2 : 7}, rows);
+            add_row(motion, parameters, {.repeats = quick ? 2 : 7}, rows);
             Row& row = rows.back();
             if (limit.tests > 0) row.set("tests", limit.tests);
             if (limit.tests == 0) row.set("level", limit.level);
@@ -255,14 +250,14 @@ ExperimentCases break_evens(bool quick, const SharedMotions& motions) {
             const RunPlan plan{.repeats = quick ? 5 : 15, .tightness_every = 5};
             runs[parameters.update] = follow(motion, *make_broad_phase(parameters, motion.grid), plan).frames;
         }
-        const auto cost = [](const FrameRun& frame) { return quartiles_over({&frame, 1}, &FrameTimes::whole).median; };
+        const auto cost = [](const FrameRun& frame) { return quartiles_over({&frame, 1}, "whole_s").median; };
         for (const BroadPhaseParameters& parameters : with_every_update(family)) {
             double sum = 0, sum_of_rebuild = 0;
             for (std::size_t k = 1; k < motion.x.size(); ++k) {
                 const FrameRun& frame = runs[parameters.update][k];
                 sum += cost(frame);
                 sum_of_rebuild += cost(runs[UpdateKind::Rebuild][k]);
-                rows.push_back(row_of("break_even", motion, parameters, {&frame, 1}));
+                rows.push_back(row_of(motion, parameters, {&frame, 1}));
                 rows.back().set({{"frame", k},
                                  {"whole_s", cost(frame)},
                                  {"cumulative_s", sum},
@@ -296,19 +291,18 @@ ExperimentCases sizes(bool quick, const SharedMotions& motions) {
     std::vector<Hierarchies> lists{Hierarchies{{.volume = VolumeKind::Brute}}};
     for (const VolumeKind family : volume_families) lists.push_back(with_every_update({.volume = family}));
     return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
-        add_row("size", motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
+        add_row(motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
     });
 }
 
 /// What a node's volume takes: "sphere 32 aabb 48 ... brute 0".
 std::string bytes_of_nodes() {
-    std::vector<std::string> words;
+    std::string words;
     for (const VolumeKind kind : values_of<VolumeKind>()) {
         const auto size = []<class Volume>(std::type_identity<Volume>) { return sizeof(Volume); };
-        words.emplace_back(name_of(kind));
-        words.push_back(std::to_string(kind == VolumeKind::Brute ? 0 : with_volume(kind, size)));
+        words += fmt::format("{} {} ", name_of(kind), kind == VolumeKind::Brute ? 0 : with_volume(kind, size));
     }
-    return in_words(words);
+    return words;
 }
 
 }  // namespace

@@ -7,13 +7,31 @@
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
+#include "drape/bounds/node_view.h"
 #include "drape/contact/detection.h"
 #include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/states.h"
 
 namespace drape {
 namespace {
+
+/// As `Tightness` has sizes [m].
+Real size_of(const BoundingSphere& sphere) { return sphere.radius; }
+Real size_of(const Aabb& box) { return (box.high - box.low).mean() / 2; }
+Real size_of(const Obb& box) { return (box.high - box.low).mean() / 2; }
+
+template <int K>
+Real size_of(const KDop<K>& dop) {
+    Real widths = (dop.box.high - dop.box.low).sum();
+    for (std::size_t k = 0; k < KDop<K>::cuts; ++k) {
+        widths += (dop.high[k] - dop.low[k]) / dop_length(dop_numbers<K>[k + 3]);
+    }
+    return widths / K;
+}
+
+Real size_of(const NodeView& node) {
+    return std::visit([](const auto& volume) { return size_of(volume); }, node.volume);
+}
 
 /// A query of a small cloth is hardly longer than reading the clock: so many are timed together.
 constexpr int queries_in_a_row = 8;
@@ -40,30 +58,26 @@ public:
         test(frame, all_cells_, expected_);
         std::ranges::sort(triangles_);
         demand_the_same(frame);
-        FrameRun run{.nodes = stats.nodes,
-                     .visited = stats.visited,
-                     .candidates = stats.candidates,
-                     .slack = hierarchy_.slack()};
-        for (const StoppedNode& node : found_.stopped) run.candidates += node.cells();
+        std::int64_t candidates = stats.candidates, touching = 0;
+        for (const StoppedNode& node : found_.stopped) candidates += node.cells();
         for (std::size_t k = 0; k < expected_.size(); ++k) {
-            if (k == 0 || expected_[k] / 2 != expected_[k - 1] / 2) ++run.touching;
+            if (k == 0 || expected_[k] / 2 != expected_[k - 1] / 2) ++touching;
         }
-        return run;
+        return {.counts = {{"nodes", stats.nodes},
+                           {"visited", stats.visited},
+                           {"candidates", candidates},
+                           {"touching", touching}},
+                .slack = hierarchy_.slack()};
     }
 
-    FrameTimes time(std::size_t frame) {
+    Row time(std::size_t frame) {
         const auto seconds = [this](int runs, const auto& work) {
-            const double all = cpu_time_of([&] {
-                for (int k = 0; k < runs; ++k) work();
-            });
-            return std::max(all - clock_cost_, 0.0) / runs;
+            return std::max(cpu_time_of(work, runs) - clock_cost_ / runs, 0.0);
         };
-        FrameTimes times;
-        times.build = seconds(1, [&] { hierarchy_.build(motion_.x[frame]); });
-        times.query = seconds(queries_in_a_row, [&] { hierarchy_.query(motion_.balls[frame], found_); });
-        times.exact = seconds(queries_in_a_row, [&] { test(frame, found_.cells, triangles_); });
-        times.whole = times.build + times.query + times.exact;
-        return times;
+        const double build = seconds(1, [&] { hierarchy_.build(motion_.x[frame]); });
+        const double query = seconds(queries_in_a_row, [&] { hierarchy_.query(motion_.balls[frame], found_); });
+        const double exact = seconds(queries_in_a_row, [&] { test(frame, found_.cells, triangles_); });
+        return {{"build_s", build}, {"query_s", query}, {"exact_s", exact}, {"whole_s", build + query + exact}};
     }
 
 private:
@@ -142,6 +156,32 @@ RecordedMotion Motions::find(const MotionWanted& wanted) {
     return motion;
 }
 
+std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& grid, const Points& x) {
+    std::vector<Tightness> levels;
+    for (int level = 0; level < hierarchy.levels(); ++level) {
+        std::vector<NodeView> nodes;
+        hierarchy.nodes_at(level, nodes);
+        std::erase_if(nodes, [level](const NodeView& node) { return node.cells.level != level; });
+        std::vector<NodeView> smallest = nodes;
+        const auto kind = static_cast<VolumeKind>(nodes.front().volume.index());
+        refit_nodes({.volume = kind, .sphere_fit = SphereFit::Welzl}, grid, x, smallest);
+        Tightness& tightness = levels.emplace_back();
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            const Real least = size_of(smallest[n]);
+            if (!(least > 0)) continue;
+            const Real ratio = (size_of(nodes[n]) + hierarchy.slack()) / least;
+            tightness += {static_cast<double>(ratio), 1};
+        }
+    }
+    return levels;
+}
+
+Tightness over_levels(const std::vector<Tightness>& levels) {
+    Tightness all;
+    for (const Tightness& level : levels) all += level;
+    return all;
+}
+
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan) {
     Follower follower(motion, hierarchy);
     HierarchyRun run{.frames = {}, .levels = std::vector<Tightness>(static_cast<std::size_t>(hierarchy.levels()))};
@@ -158,18 +198,18 @@ HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const R
     return run;
 }
 
-Quartiles quartiles_over(std::span<const FrameRun> frames, double FrameTimes::*time) {
+Quartiles quartiles_over(std::span<const FrameRun> frames, const std::string& time) {
     std::vector<double> times;
     for (const FrameRun& frame : frames) {
-        for (const FrameTimes& one : frame.times) times.push_back(one.*time);
+        for (const Row& one : frame.times) times.push_back(one.number(time));
     }
     return quartiles_of(std::move(times));
 }
 
-double mean_over(std::span<const FrameRun> frames, std::int64_t FrameRun::*count) {
+double sum_over(std::span<const FrameRun> frames, const std::string& count) {
     double sum = 0;
-    for (const FrameRun& frame : frames) sum += static_cast<double>(frame.*count);
-    return sum / static_cast<double>(frames.size());
+    for (const FrameRun& frame : frames) sum += frame.counts.number(count);
+    return sum;
 }
 
 }  // namespace drape

@@ -10,7 +10,7 @@
 #include "drape/model/ball.h"
 #include "drape/model/grid.h"
 #include "drape/scene/settings.h"
-#include "lab/measure/statistics.h"
+#include "lab/experiment/experiment.h"
 
 namespace drape {
 
@@ -59,7 +59,7 @@ struct Tightness {
 
     /// @return no number without nodes
     [[nodiscard]] double mean() const { return nodes > 0 ? sum / static_cast<double>(nodes) : no_number; }
-    Tightness& operator+=(const Tightness& other);
+    void operator+=(const Tightness& other) { sum += other.sum, nodes += other.nodes; }
 };
 
 /// That of each level of a hierarchy, as last built. Brute force has no levels.
@@ -70,22 +70,17 @@ std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& gri
 /// All levels together.
 Tightness over_levels(const std::vector<Tightness>& levels);
 
-/// CPU times of one frame [s].
-struct FrameTimes {
-    double build = 0;
-    double query = 0;  ///< from the root to the candidates
-    double exact = 0;  ///< test of the candidates' triangles
-    double whole = 0;  ///< all three
-};
-
-/// What a hierarchy did in one frame.
+/// What a hierarchy did in one frame, by columns of the table of `hierarchy`.
 struct FrameRun {
-    std::int64_t nodes = 0, visited = 0;
-    std::int64_t candidates = 0;         ///< cells, those in nodes at which a limited search has ended among them
-    std::int64_t touching = 0;           ///< cells that touch the ball
-    Real slack = 0;                      ///< [m]
-    Tightness tightness = {};            ///< without nodes where it was not looked at
-    std::vector<FrameTimes> times = {};  ///< as often as it was repeated
+    /// `nodes` and, of these, `visited`; `candidates`, cells, those in nodes at which a limited search has ended among
+    /// them; cells `touching` the ball.
+    Row counts;
+    Real slack = 0;            ///< [m]
+    Tightness tightness = {};  ///< without nodes where it was not looked at
+
+    /// CPU times, as often as it was repeated: `build_s`; `query_s`, from the root to the candidates; `exact_s`, test
+    /// of the candidates' triangles; `whole_s`, all three.
+    std::vector<Row> times = {};
 };
 
 /// What a hierarchy did along a motion.
@@ -107,9 +102,10 @@ struct RunPlan {
 /// @throws RunError if a query does not lead to the very triangles that touch
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan);
 
-/// Over frames and repeats.
-Quartiles quartiles_over(std::span<const FrameRun> frames, double FrameTimes::*time);
+/// Of a time, over frames and repeats.
+Quartiles quartiles_over(std::span<const FrameRun> frames, const std::string& time);
 
-double mean_over(std::span<const FrameRun> frames, std::int64_t FrameRun::*count);
+/// Of a count.
+double sum_over(std::span<const FrameRun> frames, const std::string& count);
 
 }  // namespace drape

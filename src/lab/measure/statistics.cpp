@@ -16,6 +16,21 @@ double seconds_of(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// The exponent of the power law y = c x^p that is nearest to some points by least squares of the logarithms: a
+/// straight line on paper with two logarithmic axes.
+/// @param points (x, y), all positive; at least two of different x
+double fitted_exponent(std::span<const std::pair<double, double>> points) {
+    const auto n = static_cast<double>(points.size());
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    for (const auto& [x, y] : points) mean_x += natural_log(x) / n, mean_y += natural_log(y) / n;
+    for (const auto& [x, y] : points) {
+        xx += (natural_log(x) - mean_x) * (natural_log(x) - mean_x);
+        xy += (natural_log(x) - mean_x) * (natural_log(y) - mean_y);
+    }
+    DRAPE_ASSERT(xx > 0);
+    return xy / xx;
+}
+
 }  // namespace
 
 Quartiles quartiles_of(std::vector<double> values) {
@@ -32,18 +47,6 @@ Quartiles quartiles_of(std::vector<double> values) {
 double thread_cpu_time() { return seconds_of(CLOCK_THREAD_CPUTIME_ID); }
 
 double program_cpu_time() { return seconds_of(CLOCK_PROCESS_CPUTIME_ID); }
-
-double fitted_exponent(std::span<const std::pair<double, double>> points) {
-    const auto n = static_cast<double>(points.size());
-    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-    for (const auto& [x, y] : points) mean_x += natural_log(x) / n, mean_y += natural_log(y) / n;
-    for (const auto& [x, y] : points) {
-        xx += (natural_log(x) - mean_x) * (natural_log(x) - mean_x);
-        xy += (natural_log(x) - mean_x) * (natural_log(y) - mean_y);
-    }
-    DRAPE_ASSERT(xx > 0);
-    return xy / xx;
-}
 
 std::optional<double> observed_order(std::span<const std::pair<double, double>> points) {
     constexpr std::size_t fewest = 3;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -22,21 +23,16 @@ Quartiles quartiles_of(std::vector<double> values);
 /// CPU time that this thread has used [s]. What others do on the machine does not count, but for the caches they share.
 double thread_cpu_time();
 
-/// CPU time that this thread takes for something [s].
+/// CPU time that this thread takes for something [s], in the mean if it is done several times in a row.
 template <class Work>
-double cpu_time_of(const Work& work) {
+double cpu_time_of(const Work& work, std::int64_t runs = 1) {
     const double before = thread_cpu_time();
-    work();
-    return thread_cpu_time() - before;
+    for (std::int64_t run = 0; run < runs; ++run) work();
+    return (thread_cpu_time() - before) / static_cast<double>(runs);
 }
 
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();
-
-/// The exponent of the power law y = c x^p that is nearest to some points by least squares of the logarithms: a
-/// straight line on paper with two logarithmic axes.
-/// @param points (x, y), all positive; at least two of different x
-double fitted_exponent(std::span<const std::pair<double, double>> points);
 
 /// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
 /// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is

@@ -1,4 +1,4 @@
-#include "configurations.h"
+#include "needs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,10 @@ namespace drape {
 namespace {
 
 /// One configuration of a scene that was tried, and what its needs say about it.
-Row row_of(const char* part, const std::string& scene, const Needs& needs, const Attempt& attempt) {
+Row row_of(const std::string& scene, const Needs& needs, const Attempt& attempt) {
     const Settings& settings = attempt.settings;
     const ClothParameters& cloth = settings.cloths[0];
-    Row row{{"part", part},
-            {"scene", scene},
+    Row row{{"scene", scene},
             {"particles_x", cloth.particles.nx},
             {"particles_y", cloth.particles.ny},
             {"bend", cloth.bend != SpringLaw{} ? "yes" : "no"},
@@ -31,9 +30,9 @@ Row row_of(const char* part, const std::string& scene, const Needs& needs, const
 /// The whole search: the full model, then what is taken away from it.
 Rows run_ladder(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    Rows rows{row_of("ladder", scene, needs, needs.attempt(computed_closely(needs.full(), close_step)))};
+    Rows rows{row_of(scene, needs, needs.attempt(computed_closely(needs.full(), close_step)))};
     (void)search(needs, [&](const Attempt& attempt, const std::string& outcome) {
-        rows.push_back(row_of("ladder", scene, needs, attempt));
+        rows.push_back(row_of(scene, needs, attempt));
         const bool kept = outcome.starts_with("kept") || outcome.starts_with("cheapest");
         if (attempt.qualifies() && !kept) rows.back().set("outcome", "costlier");
     });
@@ -43,9 +42,9 @@ Rows run_ladder(const std::string& scene) {
 /// The scene as it is, and with one notch less of each knob that it leaves free.
 Rows run_notches(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    Rows rows{row_of("notches", scene, needs, needs.attempt(needs.scene()))};
+    Rows rows{row_of(scene, needs, needs.attempt(needs.scene()))};
     try_notches(needs, [&](Knob knob, const Attempt& less) {
-        rows.push_back(row_of("notches", scene, needs, less));
+        rows.push_back(row_of(scene, needs, less));
         rows.back().set("changed", knob);
     });
     return rows;
@@ -60,7 +59,7 @@ Rows run_budget(const std::string& scene) {
     const Motion motion = run_to_horizon(as_it_is);
     Rows rows;
     const auto add = [&](const std::string& changed, const Settings& settings, const Motion& moved) {
-        Row& row = rows.emplace_back(row_of("budget", scene, needs, {.settings = settings, .cost = moved.cost}));
+        Row& row = rows.emplace_back(row_of(scene, needs, {.settings = settings, .cost = moved.cost}));
         row.set({{"changed", changed}, {"miss", no_number}, {"outcome", "diverged"}});
         if (moved.diverged) return;
         row.set({{"outcome", "compared"}, {"error", needs.error_of(moved)}, {"moved", needs.error_of(moved, motion)}});

@@ -7,7 +7,6 @@
 #include <iostream>
 #include <memory>
 
-#include "configurations.h"
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"

@@ -1,6 +1,5 @@
 #include "needs.h"
 
-#include "configurations.h"
 #include "drape/scene/setting_table.h"
 #include "lab/measure/statistics.h"
 
@@ -48,11 +47,18 @@ private:
 
     /// The cheapest of all methods on all models.
     void find_method() {
+        using enum IntegratorKind;
+        const std::vector all{SymplecticEuler,  VelocityVerlet, Rk4,
+                              ExplicitEuler,    BackwardEuler,  Bdf2,
+                              ImplicitMidpoint, Xpbd,           ProjectiveDynamics};
+        const SolverSettings& own = needs_.scene().solver;
         for (const Settings& model : models()) {
-            for (const IntegratorKind kind : integrators()) {
+            for (const IntegratorKind kind : tried(Knob::Integrator, own.integrator, all)) {
                 Settings method = model;
                 method.solver.integrator = kind;
-                for (const int iterations : passes(kind)) {
+                const std::vector passes =
+                    method_of(kind).iterates ? std::vector{1, 2, 5, 10} : std::vector{own.iterations};
+                for (const int iterations : tried(Knob::Iterations, own.iterations, passes)) {
                     method.solver.iterations = iterations;
                     find_step(method);
                 }
@@ -63,7 +69,8 @@ private:
     /// The longest step that qualifies. Of the many beyond the method's limit, the trail shows the last.
     void find_step(Settings method) {
         std::optional<Attempt> beyond;
-        for (const double dt : steps()) {
+        const std::vector ladder(step_ladder.begin(), step_ladder.end());
+        for (const double dt : tried(Knob::Dt, needs_.scene().solver.dt, ladder)) {
             method.solver.dt = dt;
             Attempt attempt = needs_.attempt(method, cost_of_cheapest() * noise);
             if (attempt.beyond_limit) {
@@ -135,21 +142,10 @@ private:
         return attempt.cost < part * cheapest_->cost;
     }
 
-    [[nodiscard]] std::vector<IntegratorKind> integrators() const {
-        if (!free_.contains(Knob::Integrator)) return {needs_.scene().solver.integrator};
-        using enum IntegratorKind;
-        return {SymplecticEuler,   VelocityVerlet, Rk4, ExplicitEuler, BackwardEuler, Bdf2, ImplicitMidpoint, Xpbd,
-                ProjectiveDynamics};
-    }
-
-    [[nodiscard]] std::vector<int> passes(IntegratorKind kind) const {
-        if (!method_of(kind).iterates || !free_.contains(Knob::Iterations)) return {needs_.scene().solver.iterations};
-        return {1, 2, 5, 10};
-    }
-
-    [[nodiscard]] std::vector<double> steps() const {
-        if (!free_.contains(Knob::Dt)) return {needs_.scene().solver.dt};
-        return {step_ladder.begin(), step_ladder.end()};
+    /// All values of a knob, or the scene's own where it is not free.
+    template <class Value>
+    [[nodiscard]] std::vector<Value> tried(Knob knob, Value own, const std::vector<Value>& all) const {
+        return free_.contains(knob) ? all : std::vector{own};
     }
 
     [[nodiscard]] double cost_of_cheapest() const { return cheapest_ ? cheapest_->cost : no_bound; }

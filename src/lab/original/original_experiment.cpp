@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -18,7 +16,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/hierarchy/hierarchy_run.h"
-#include "original.h"
 
 namespace drape {
 namespace {
@@ -26,6 +23,13 @@ namespace {
 constexpr const char* original_scene = "original";
 constexpr double frame_rate = 60;  // frames per simulated second, as drape-capture's
 constexpr const char* picture_size = "640x480";
+constexpr int first_frame = 20;  // that is measured: before it the cloth comes to lie on the ball
+
+/// How much of the scene is measured.
+struct OriginalPlan {
+    int frames;
+    int passes;  ///< of the recorded frames, to time build and search
+};
 
 /// One way in which the original's scene is run.
 struct OriginalWay {
@@ -54,10 +58,10 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
 Row time_search(const std::string& prefix, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
                 int passes) {
     const HierarchyRun run = follow(motion, *make_broad_phase(parameters, motion.grid), {.repeats = passes});
-    return {{prefix + "build_s", quartiles_over(run.timed(), &FrameTimes::build).median},
-            {prefix + "search_s", quartiles_over(run.timed(), &FrameTimes::query).median},
-            {prefix + "exact_s", quartiles_over(run.timed(), &FrameTimes::exact).median},
-            {prefix + "candidates", mean_over(run.frames, &FrameRun::candidates)}};
+    return {{prefix + "build_s", quartiles_over(run.timed(), "build_s").median},
+            {prefix + "search_s", quartiles_over(run.timed(), "query_s").median},
+            {prefix + "exact_s", quartiles_over(run.timed(), "exact_s").median},
+            {prefix + "candidates", sum_over(run.frames, "candidates") / static_cast<double>(run.frames.size())}};
 }
 
 /// Measures what simulating takes, without drawing.
@@ -68,16 +72,16 @@ Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
 
     Simulation simulation(original_scene, settings);
     std::vector<double> frames;
-    for (int frame = 0; frame < plan.first + plan.frames; ++frame) {
+    for (int frame = 0; frame < first_frame + plan.frames; ++frame) {
         const double seconds = cpu_time_of([&] {
             for (int k = 0; k < steps; ++k) simulation.step();
         });
-        if (frame >= plan.first) frames.push_back(seconds);
+        if (frame >= first_frame) frames.push_back(seconds);
     }
     if (simulation.report().contacts == 0) throw RunError("original: the cloth does not lie on the ball");
 
     const RecordedMotion motion =
-        record_motion({original_scene, plan.first / frame_rate, 1 / frame_rate, std::max(plan.frames, 2)}, settings);
+        record_motion({original_scene, first_frame / frame_rate, 1 / frame_rate, plan.frames}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
     Row row{{"volume", way.volume},
             {"bounds_drawn", way.bounds_drawn ? "1" : "0"},
@@ -88,9 +92,9 @@ Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
     return row;
 }
 
-/// The median of a column of a table of numbers, whose first line after comments has the names.
-/// @param first row that counts
-double column_median(const std::filesystem::path& file, const std::string& column, int first) {
+/// The median over the measured frames of a column of a table of numbers, whose first line after comments has the
+/// names.
+double column_median(const std::filesystem::path& file, const std::string& column) {
     std::ifstream in(file);
     std::string line;
     while (std::getline(in, line) && line.starts_with('#')) {
@@ -101,94 +105,51 @@ double column_median(const std::filesystem::path& file, const std::string& colum
     for (int row = 0; std::getline(in, line); ++row) {
         const auto cells = parse_reals(line);
         if (!cells || place >= cells->size()) throw RunError(file.string() + ": has no numbers in a column " + column);
-        if (row >= first) values.push_back((*cells)[place]);
+        if (row >= first_frame) values.push_back((*cells)[place]);
     }
     if (values.empty()) throw RunError(file.string() + ": has too few rows");
     return quartiles_of(std::move(values)).median;
 }
 
 /// What `drape-capture` says of the pictures.
+/// @throws RunError if it fails, or does not say it
 Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program) {
     std::string stats = (std::filesystem::temp_directory_path() / "drape-XXXXXX").string();
     const int made = mkstemp(stats.data());
     if (made < 0) throw RunError(stats + ": cannot be made");
     close(made);
     const std::shared_ptr<void> removed_at_the_end(nullptr, [&stats](void*) { unlink(stats.c_str()); });
-    const std::string frames = std::to_string(plan.first + plan.frames), rate = real_text(frame_rate);
+    const std::string frames = std::to_string(first_frame + plan.frames), rate = real_text(frame_rate);
     std::vector<std::string> words{program.string(), original_scene, "--frames", frames, "--fps", rate,
                                    "--size",         picture_size,   "--stats",  stats,  "--set"};
     for (const std::string& assignment : original_assignments(way)) words.push_back(assignment);
     if (run_child(words) != 0) throw RunError(program.string() + " failed on the scene " + original_scene);
-    const auto median = [&](const char* column) { return column_median(stats, column, plan.first); };
+    const auto median = [&](const char* column) { return column_median(stats, column); };
     return {{"rate_per_s", median("rate")},
             {"gl_calls", median("gl_calls")},
             {"cpu", median("cpu")},
             {"vertices", median("vertices")}};
 }
 
-/// What a bar of the chart shows, in the unit that the chart says.
-struct Figure {
-    int test;
-    const char* column;
-    double factor;  ///< from the table's unit
-    int digits;
-};
-
-/// Of the dissertation's tests, those that the chart shows.
-constexpr Figure tests[] = {{1, "execution_s", 1e3, 4}, {2, "rate_per_s", 1, 3}};
-
-/// Build and search, which are timed without drawing, with the scene's leaves and down to single cells.
-constexpr Figure searches_alone[] = {
-    {6, "build_s", 1e6, 2}, {6, "search_s", 1e6, 2}, {6, "single_build_s", 1e6, 2}, {6, "single_search_s", 1e6, 2}};
-
-/// A bar over the rows of a volume; nothing where no row has the figure.
-std::string bar(const Rows& rows, const Figure& figure, int position, const OriginalWay& way) {
-    std::vector<double> values;
-    for (const Row& row : rows_with(rows, "volume", way.volume)) {
-        if (const double value = row.number(figure.column); !std::isnan(value)) values.push_back(figure.factor * value);
-    }
-    if (values.empty()) return "";
-    const auto [lower, median, upper] = quartiles_of(std::move(values));
-    return fmt::format("{},{},{},{:d},{:.8g},{:.8g},{:.8g},{:.{}g}\n", figure.test, position, way.volume,
-                       way.bounds_drawn, median, lower, upper, median, figure.digits);
-}
-
-std::vector<Chart> original_charts(const Rows& rows) {
-    std::string bars = "test,position,volume,drawn,median,lower,upper,text\n";
-    for (int position = 0; const OriginalWay& way : original_ways) {
-        const Rows same = rows_with(rows, "bounds_drawn", way.bounds_drawn ? "1" : "0");
-        for (const Figure& test : tests) bars += bar(same, test, position, way);
-        ++position;
-    }
-    for (int position = 0; const Figure& search : searches_alone) {
-        for (const OriginalWay& way : {original_ways[0], original_ways[1]}) bars += bar(rows, search, position++, way);
-        ++position;
-    }
-    return {{.name = "original", .data = bars}};
-}
-
 ExperimentCases original_cases(bool quick) {
     const OriginalPlan plan{.frames = quick ? 12 : 40, .passes = quick ? 5 : 15};
     const auto run = [plan, told = std::make_shared<bool>(false)] {
+        Rows rows;
+        // What is compared is timed close together: the clock of a processor that others use comes and goes
+        for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
         const auto program = program_folder() / "drape-capture";
         if (!exists(program) && !std::exchange(*told, true)) {
             tell("There is no " + program.string() + ": frame rate, calls, CPU use and vertices stay empty.");
         }
-        return original_rows(plan, program);
+        for (std::size_t k = 0; k < rows.size() && exists(program); ++k) {
+            rows[k].set(draw_original(original_ways[k], plan, program));
+        }
+        return rows;
     };
     return ExperimentCases(quick ? 3 : 7, run);
 }
 
 }  // namespace
-
-Rows original_rows(const OriginalPlan& plan, const std::filesystem::path& program) {
-    Rows rows;
-    // What is compared is timed close together: the clock of a processor that others use comes and goes
-    for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
-    if (!exists(program)) return rows;
-    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].set(draw_original(original_ways[k], plan, program));
-    return rows;
-}
 
 Experiment original_experiment() {
     const auto if_drawn = [](const char* name) { return number_column(name).or_words({""}); };
@@ -206,7 +167,7 @@ Experiment original_experiment() {
             {{"volume", "bounds_drawn"},
              {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s", "single_build_s",
               "single_search_s"}},
-            {{"", original_cases, original_charts}}};
+            {{"", original_cases, charts_of({{.name = "original"}})}}};
 }
 
 }  // namespace drape

@@ -7,7 +7,6 @@
 
 #include "drape/integrate/integrator.h"
 #include "drape/scene/settings.h"
-#include "lab/experiment/experiment.h"
 
 namespace drape {
 
@@ -64,10 +63,5 @@ struct Reference {
 
 /// @par Cost seconds
 Reference find_reference(const PrecisionScene& scene);
-
-/// A work-precision diagram a scene.
-/// @throws RunError if small errors grow on a scene by more than `most_growth`, or its reference is not two decades
-///         better than the best point: nothing is drawn then
-std::vector<Chart> precision_charts(const Rows& rows);
 
 }  // namespace drape

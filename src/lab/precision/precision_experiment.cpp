@@ -7,9 +7,14 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
+#include "drape/integrate/stability_trial.h"
+#include "drape/model/energy.h"
+#include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
 #include "lab/measure/states.h"
@@ -19,13 +24,47 @@
 namespace drape {
 namespace {
 
+/// Held level by two corners and let go.
+PrecisionScene hung(const std::string& name, Real stiffness, Real damping, bool quick) {
+    Settings settings;
+    settings.cloths = {sheet_of(quick ? 6 : 16, stiffness, damping)};
+    settings.cloths.front().pinned.kind = Pins::Kind::Two;
+    const Rung before = solved_closely(Real(1e-11)), last = solved_closely(Real(1e-12));
+    return {name, settings, Real(0.25), quick ? 7 : 8, quick ? 512 : 4096, 1, {before, before, last}};
+}
+
+/// Falls level on a small ball beside its middle. The first impact is at 0.2 s, the horizon 0.04 s later: while the
+/// cloth folds about the ball, small errors do not grow yet. The ball is small because the response leaves contacts as
+/// deep as a part of its radius, which no step makes smaller.
+PrecisionScene dropped(bool quick) {
+    Settings settings;
+    settings.cloths = {sheet_of(quick ? 6 : 12, 300, Real(0.2))};
+    settings.cloths.front().centred = true;
+    const Real gap = Real(0.2), radius = Real(0.05);
+    BallSettings ball;
+    ball.radius = radius;
+    ball.position = {Real(0.07), -(radius + settings.contact.thickness + gap), Real(0.04)};
+    ball.motion = BallMotion::Still;
+    settings.balls = {ball};
+    settings.solver.sleep_speed = 0;
+    const auto rung = [quick](int parts) {
+        return Rung{{.kind = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};
+    };
+    return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
+}
+
 /// A reference must be this much better than the best point that is compared with it.
 constexpr double least_margin = 100;
+
+/// The number in a column of a row, to sort by.
+auto number_in(const char* column) {
+    return [column](const Row& row) { return row.number(column); };
+}
 
 /// Of the steps of a method that are shorter than any that was unstable.
 /// @param method its rows
 std::optional<double> order_of(Rows method) {
-    std::ranges::stable_sort(method, std::greater(), number_of("step_s"));
+    std::ranges::stable_sort(method, std::greater(), number_in("step_s"));
     std::vector<std::pair<double, double>> errors;
     for (const Row& row : method) {
         if (row.word("end") != "bounded") {
@@ -125,22 +164,9 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
     return row;
 }
 
-ExperimentCases precision_cases(bool quick) {
-    const auto references = std::make_shared<std::map<std::string, Reference>>();  // found when a case asks for them
-    return cases_over(
-        [=](const PrecisionScene& scene, const Method& method) {
-            if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
-            Rows rows;
-            for (const Rung& rung : ladder(method.parameters, scene)) {
-                rows.push_back(row_of(method, rung, scene, references->at(scene.name)));
-            }
-            return rows;
-        },
-        precision_scenes(quick), precision_methods());
-}
-
-}  // namespace
-
+/// A work-precision diagram a scene.
+/// @throws RunError if small errors grow on a scene by more than `most_growth`, or its reference is not two decades
+///         better than the best point: nothing is drawn then
 std::vector<Chart> precision_charts(const Rows& rows) {
     std::vector<Chart> charts;
     for (const std::string& scene : words_of(rows, "scene")) {
@@ -158,22 +184,97 @@ std::vector<Chart> precision_charts(const Rows& rows) {
                 growth, scene, most_growth));
         }
         const double margin =
-            std::ranges::min(points, {}, number_of("error")).number("error") / points.front().number("reference_error");
+            std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
         if (!(margin >= least_margin)) {
             throw RunError(
                 fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
                             "the best point, less than {:.3g}: no chart is drawn",
                             scene, margin, least_margin));
         }
-        Chart diagram{"precision_" + scene, {{"scene", scene}}, {}, "precision", caption_of(points.front())};
+        Chart diagram{"precision_" + scene, {{"scene", scene}}, "precision", caption_of(points.front())};
         for (const std::string& method : words_of(own, "method")) {
             const auto order = order_of(rows_with(own, "method", method));
             if (order) diagram.values["order_" + method] = *order;
         }
         charts.push_back(diagram);
-        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, {}, "precision_choice"});
+        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, "precision_choice"});
     }
     return charts;
+}
+
+ExperimentCases precision_cases(bool quick) {
+    const auto references = std::make_shared<std::map<std::string, Reference>>();  // found when a case asks for them
+    return cases_over(
+        [=](const PrecisionScene& scene, const Method& method) {
+            if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
+            Rows rows;
+            for (const Rung& rung : ladder(method.parameters, scene)) {
+                rows.push_back(row_of(method, rung, scene, references->at(scene.name)));
+            }
+            return rows;
+        },
+        precision_scenes(quick), precision_methods());
+}
+
+}  // namespace
+
+std::vector<PrecisionScene> precision_scenes(bool quick) {
+    return {hung("soft", 100, Real(0.05), quick), hung("stiff", 2000, Real(0.1), quick), dropped(quick)};
+}
+
+Rung solved_closely(Real tolerance) {
+    constexpr int outer_steps = 8;
+    return {{.kind = IntegratorKind::DormandPrince, .tolerance = tolerance}, outer_steps};
+}
+
+Finish finish(const PrecisionScene& scene, const Rung& rung, Real phase, const std::optional<ClothState>& start) {
+    const ClothParameters& cloth = scene.settings.cloths.front();
+    const ClothModel model = make_cloth_model(cloth);
+    ClothState state = start.value_or(make_rest_state(cloth));
+    const auto energy = [&] { return compute_energy(model, state, rung.parameters.kernels).total(); };
+    const double highest = energy() + static_cast<double>(energy_to_fail(model));
+
+    // By the integrator alone, or where there is a ball through `Simulation`
+    const auto integrator = make_integrator(rung.parameters, model.grid);
+    std::optional<Simulation> simulation;
+    if (scene.has_ball()) {
+        simulation.emplace(scene.name, with_method(scene.settings, rung.parameters), StartState{0, {state}});
+    }
+    const auto step = [&](Real h) {
+        if (!simulation) return integrator->step(model, state, h);
+        if (static_cast<double>(h) != simulation->settings().solver.dt) {
+            simulation->apply(command::Set{"solver.dt=" + real_text(static_cast<double>(h), 17)});
+        }
+        simulation->step();
+        return simulation->report().solve;
+    };
+
+    const Real h = scene.horizon / static_cast<Real>(rung.steps);
+    std::vector<Real> steps(static_cast<std::size_t>(rung.steps), h);
+    if (phase > 0) {
+        steps.front() = phase * h;
+        steps.push_back((1 - phase) * h);
+    }
+    SolveReport report = step(steps.front());
+    const double seconds = cpu_time_of([&] {
+        for (const Real length : std::span(steps).subspan(1)) report += step(length);
+    });
+    if (simulation) state = simulation->cloths().front().state;
+    const bool diverged = simulation && simulation->report().status == Status::Diverged;
+    return {state, !diverged && state.x.allFinite() && energy() < highest, report.iterations,
+            seconds / static_cast<double>(scene.horizon - steps.front())};
+}
+
+Reference find_reference(const PrecisionScene& scene) {
+    const ClothParameters& cloth = scene.settings.cloths.front();
+    const ClothModel model = make_cloth_model(cloth);
+    const ClothState start = make_rest_state(cloth), nudged = disturbed(model, start);
+    const auto& [coarse, before, last] = scene.reference;
+    const double small = static_cast<double>((nudged.x - start.x).norm());
+    const Points apart = finish(scene, coarse, 0, nudged).state.x - finish(scene, coarse).state.x;
+    const ClothState end = finish(scene, last).state;
+    return {end, static_cast<double>(apart.norm()) / small,
+            position_error(finish(scene, before).state.x, end.x, scene.side())};
 }
 
 Experiment precision_experiment() {

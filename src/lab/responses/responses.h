@@ -2,7 +2,7 @@
 
 #include "drape/contact/response.h"
 #include "drape/integrate/integrator.h"
-#include "lab/experiment/row.h"
+#include "lab/experiment/experiment.h"
 
 namespace drape {
 

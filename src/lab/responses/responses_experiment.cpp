@@ -2,7 +2,6 @@
 
 #include "lab/contact/contact_trial.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
 #include "responses.h"
 
 namespace drape {
@@ -56,13 +55,6 @@ ExperimentCases limit_cases(bool quick) {
     return cases_over(run_limit, quick ? std::vector{1e2, 1e3} : std::vector{1e1, 1e2, 1e3, 1e4, 1e5},
                       std::vector{0.0, 0.5, 1.0});
 }
-
-std::vector<Chart> step_charts(const Rows& rows) {
-    const auto responses = words_of(rows, "response");
-    return {{"responses", {{"responses", in_words(responses)}}}};
-}
-
-std::vector<Chart> limit_charts(const Rows&) { return {{"responses_limit", {}}}; }
 
 }  // namespace
 
@@ -152,7 +144,8 @@ Experiment responses_experiment() {
              positive_column("measured_step_s").or_nan()},
             {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
              {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
-            {{"step", step_cases, step_charts}, {"limit", limit_cases, limit_charts}}};
+            {{"step", step_cases, charts_of({{.name = "responses"}})},
+             {"limit", limit_cases, charts_of({{.name = "responses_limit"}})}}};
 }
 
 }  // namespace drape

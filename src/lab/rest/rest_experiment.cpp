@@ -8,8 +8,7 @@
 #include "drape/sim/simulation.h"
 #include "drape/sim/sleep_watch.h"
 #include "lab/experiments.h"
-#include "lab/measure/methods.h"
-#include "lab/needs/configurations.h"
+#include "lab/needs/needs.h"
 
 namespace drape {
 namespace {

@@ -20,17 +20,11 @@ struct SolveRun {
     Row row;
 };
 
-/// A metre square, hung by two corners; drag is that of the whole cloth, whatever the grid.
+/// A sheet hung by two corners.
 /// @param parts of a picture's time that a step has
 SolveRun run_sheet(const Method& method, int side, Real time, int parts = 1) {
-    ClothParameters cloth;
-    cloth.particles = {side, side};
-    cloth.mass = Real(0.2);
+    ClothParameters cloth = sheet_of(side, 1000, Real(0.01));
     cloth.pinned.kind = Pins::Kind::Two;
-    cloth.structural = {1000, Real(0.01)};
-    cloth.shear = {500, Real(0.01)};
-    cloth.bend = {100, Real(0.01)};
-    cloth.drag = Real(0.5) / static_cast<Real>(cloth.particles.particles());
     const ClothModel model = make_cloth_model(cloth);
     ClothState state = make_rest_state(cloth);
     const auto integrator = make_integrator(method.parameters, model.grid);

@@ -3,6 +3,7 @@
 
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"
+#include "lab/measure/methods.h"
 #include "lab/needs/needs.h"
 
 namespace drape {
@@ -37,9 +38,7 @@ Settings sheet(bool quick) {
 
 /// How a sheet fares with one method at one step.
 Row run_step(const Method& method, double step, const Settings& scene, const Motion& truth) {
-    Settings settings = scene;
-    settings.solver.integrator = method.parameters.kind;
-    settings.solver.iterations = method.parameters.iterations;
+    Settings settings = with_method(scene, method.parameters);
     settings.solver.dt = step;
     const Motion run = run_to_horizon(settings);
     Row row{{"method", method.name}, {"step_s", step}};

@@ -31,7 +31,7 @@ GlContext::Function as_function(F* function) {
 
 }  // namespace
 
-GlContext::Function SilentContext::function(const char* name) const {
+GlContext::Function silent_function(const char* name) {
     const std::string_view wanted(name);
     if (wanted == "glGetString") return as_function(say_version);
     if (wanted == "glGetIntegerv") return as_function(tell_number);

@@ -4,10 +4,8 @@
 
 namespace drape {
 
-/// An OpenGL 3.3 context that does nothing: what is drawn into it costs Drape's own code, and no driver.
-class SilentContext : public GlContext {
-public:
-    [[nodiscard]] Function function(const char* name) const override;
-};
+/// The functions of an OpenGL 3.3 context that does nothing: what is drawn into it costs Drape's own code, and no
+/// driver.
+GlContext::Function silent_function(const char* name);
 
 }  // namespace drape

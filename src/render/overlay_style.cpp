@@ -1,9 +1,3 @@
-#include "panel_boxes.h"
-
-#include <imgui.h>
-
-#include <algorithm>
-
 #include "overlay_style.h"
 
 namespace drape {
@@ -25,12 +19,12 @@ void end_window() {
 }
 
 std::optional<PanelBox> free_place(const OverlayPage& page, const std::vector<PanelBox>& others,
-                                   const std::function<ImVec2(float)>& size_within, float least_width, bool at_top) {
+                                   const std::function<ImVec2(float)>& size_within, float min_width, bool at_top) {
     const float gap = page.margin / 2;
     float left = page.margin, right = page.width - page.margin, top = page.margin, bottom = page.height - page.margin;
     // Each turn leaves at least one of the others behind
     for (std::size_t turn = 0; turn <= others.size(); ++turn) {
-        if (right - left < least_width) return std::nullopt;
+        if (right - left < min_width) return std::nullopt;
         const ImVec2 size = size_within(right - left);
         if (size.y > bottom - top || size.x > right - left) return std::nullopt;
         const float middle = (left + right) / 2, edge = at_top ? top : bottom - size.y;
@@ -39,9 +33,9 @@ std::optional<PanelBox> free_place(const OverlayPage& page, const std::vector<Pa
             std::ranges::find_if(others, [&](const PanelBox& other) { return overlap(box, other, gap); });
         if (in_the_way == others.end()) return box;
         const float before = in_the_way->left - page.margin, after = in_the_way->right + page.margin;
-        if (right - after >= std::max(least_width, before - left)) {
+        if (right - after >= std::max(min_width, before - left)) {
             left = after;
-        } else if (before - left >= least_width) {
+        } else if (before - left >= min_width) {
             right = before;
         } else if (at_top) {
             top = in_the_way->bottom + page.margin;
