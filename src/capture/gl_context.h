@@ -15,7 +15,7 @@ struct GlContext {
     using Function = void (*)();
 
     std::shared_ptr<void> kept;
-    Function (*function)(const char* name);  ///< its own function of a name; null if it has none
+    Function (*function)(const char* name) = nullptr;  ///< its own function of a name; null if it has none
 };
 
 /// Mesa's off-screen library, which is opened at run time: Mesa has left it out since its version 25.1.

@@ -117,7 +117,7 @@ bool NodePicker::has_nearer_line(const NodeView& node, Real slack, Pointed& poin
     about.radius += slack;
     if (pointed.is_beside(about)) return false;
     outlines_.clear();
-    append_nodes({&node, 1}, slack, touched_, outlines_);
+    append_nodes({&node, 1}, slack, TouchedCells(), outlines_);
     bool nearer = false;
     for (const Outlines::Sphere& sphere : outlines_.spheres) nearer |= pointed.nears(sphere);
     for (const Outlines::Edge& edge : outlines_.edges) nearer |= pointed.nears(edge.from, edge.to);

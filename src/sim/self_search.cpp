@@ -122,7 +122,7 @@ std::int64_t SelfSearch::count_between(std::span<const ClothInContact> cloths, R
     return sum;
 }
 
-/// Boxes are built where anything comes near at all.
+/// Boxes are built when they are first asked for.
 BoxedCloth SelfSearch::boxed(std::span<const ClothInContact> cloths, std::size_t number, const Numbers& reaches) {
     Surface& surface = surfaces_[number];
     const ClothAt cloth = at(cloths, static_cast<int>(number));

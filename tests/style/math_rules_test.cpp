@@ -94,7 +94,7 @@ std::vector<std::string> check_symbols(const std::string& listing) {
 /// What `nm -u` prints of the library that simulates.
 std::string names_that_the_core_asks_for() {
     const ScratchFolder folder;
-    test::Process lister({NAME_LISTER, "-u", DRAPE_CORE}, {}, folder.path());
+    test::Process lister({NAME_LISTER, "-u", DRAPE_CORE, DRAPE_CORE_LIGHT}, {}, folder.path());
     EXPECT_EQ(lister.wait_to_end(), 0);
     return lister.standard_output();
 }

@@ -99,7 +99,7 @@ private:
         Copied<BroadPhase> tree;
         FoldTest folds;
         CellBoxes boxes;
-        bool boxed = false;  ///< since the last list was begun
+        bool boxed = false;  ///< since the last list or count was begun
         Points kept;         ///< what the list was made from
         Real spacing;        ///< of its particles at rest [m]
     };
