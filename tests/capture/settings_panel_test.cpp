@@ -33,6 +33,8 @@ const Trial trials[] = {
     {"table", {"solid.angle=20"}},
     {"table", {"solid.shape=capsule"}},
     {"table", {"solid.path=0,0,0.4,0,1,0,0.6,0"}},
+    {"bullet",
+     {"ball.position=0.05,0.72,-31.2", "ball.velocity=0,2.55,60", "solver.dt=5e-4", "contact.continuous=false"}},
     {"flag", {}},
     {"fails_rk4", {}},
     {"fold", {}},

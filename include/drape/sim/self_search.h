@@ -46,7 +46,7 @@ public:
 
     [[nodiscard]] bool on() const { return on_; }
 
-    /// What was found at the start; pairs are looked for anew.
+    /// What was found at the start; pairs are looked for again.
     void exchange(SnapshotText& text) { text.line("cloth_at_start", crossings_at_start_, coincident_at_start_); }
 
     /// Positions have been set from outside.

@@ -12,8 +12,8 @@ namespace drape {
 /// real number, `scene NAME`, `changes N` and as many lines `set name=value` of settings that are not as in that scene,
 /// `settings HASH` of all of them and of the files that they name, and then all that the next step depends on, see
 /// `Simulation::exchange`. A run that goes on from there makes the same bits as one that was not stopped. Pairs of
-/// cloth are searched anew, so that their counts differ for a while, and a search that gives up may do so a step
-/// earlier; and a limited search of a hierarchy that is not built anew in each step may find other nodes. The file
+/// cloth are searched again, so that their counts differ for a while, and a search that gives up may do so a step
+/// earlier; and a limited search of a hierarchy that is not rebuilt in each step may find other nodes. The file
 /// names scenes, meshes and start files, and does not hold them.
 ///
 /// @throws RunError if the file cannot be written, if the run has diverged, or if its settings cannot be made from its
