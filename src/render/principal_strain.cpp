@@ -18,7 +18,8 @@ PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column,
     // The deformation gradient F in the middle of the cell, and the eigenvectors of F'F
     Eigen::Matrix<Real, 3, 2> gradient;
     gradient << (b + d - a - c) / (2 * cloth.model.hx), (c + d - a - b) / (2 * cloth.model.hy);
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 2, 2>> solver(gradient.transpose() * gradient);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 2, 2>> solver;
+    solver.computeDirect(gradient.transpose() * gradient);
     PrincipalStrain found{(a + b + c + d) / 4, {}, {}};
     for (std::size_t k = 0; k < 2; ++k) {
         const Vec3 along = gradient * solver.eigenvectors().col(static_cast<Eigen::Index>(k));
