@@ -99,9 +99,9 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
 }
 
 ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    const Vec3 u = b - a, v = d - c;
-    const Real uu = u.squaredNorm(), vv = v.squaredNorm();
-    ClosestOfSegments best{.offset = a - c};
+    const Vec3 u = b - a, v = d - c, w = a - c;
+    const Real uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), across = uu * vv - uv * uv;
+    ClosestOfSegments best{.offset = w};
     Real least = std::numeric_limits<Real>::infinity();
     const auto take = [&](Real s, Real t) {
         const Vec3 offset = (a + s * u) - (c + t * v);
@@ -109,19 +109,21 @@ ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& 
         if (square < least) least = square, best = {s, t, offset};
     };
 
-    // Each end, and where both are inside, the foot of the lines' common normal
+    // The foot of the lines' common normal, where it is inside of both
+    const Real s = across > 0 ? (uv * v.dot(w) - vv * u.dot(w)) / across : Real(0);
+    const Real t = s > 0 && s < 1 ? weight_within(a + s * u, c, v, vv) : Real(0);
+    const bool inside = t > 0 && t < 1;
+    constexpr Real nearly_parallel = Real(1e-6);
+    if (inside && across > nearly_parallel * uu * vv) {
+        take(s, t);
+        return best;
+    }
     take(0, weight_within(a, c, v, vv));
     take(1, weight_within(b, c, v, vv));
     take(weight_within(c, a, u, uu), 0);
     take(weight_within(d, a, u, uu), 1);
-    const Real uv = u.dot(v), across = uu * vv - uv * uv;
-    // Of lines that are nearly parallel this has few digits: what it finds is taken only where it is nearer
-    if (!(across > 0)) return best;
-    const Vec3 w = a - c;
-    const Real s = (uv * v.dot(w) - vv * u.dot(w)) / across;
-    if (!(s > 0 && s < 1)) return best;
-    const Real t = weight_within(a + s * u, c, v, vv);
-    if (t > 0 && t < 1) take(s, t);
+    // Of lines that are nearly parallel it has few digits: it is taken only where it is nearer than the ends
+    if (inside) take(s, t);
     return best;
 }
 
