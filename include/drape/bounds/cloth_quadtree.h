@@ -78,7 +78,7 @@ public:
                 insert_all(x);
                 break;
             case UpdateKind::Refit:
-                built_ ? refit(x) : start_refitting(x);
+                refit(x);
                 break;
             case UpdateKind::None:
                 if (!built_) {
@@ -301,26 +301,14 @@ private:
 
     /// A leaf counts as moved where a particle is farther from where it was fitted than a fiftieth of the leaf's size,
     /// and until then the slack makes up for it.
-    void start_refitting(const Points& x) {
-        merge(x);
-        stale_.assign(nodes_.size(), false);
-        Real radii = 0, leaves = 0;
-        for (std::size_t n = 0; n < nodes_.size(); ++n) {
-            if (nodes_[n].children > 0) continue;
-            copies_.take(n, patch_of(grid_, nodes_[n], x));
-            radii += volumes_[n].sphere().radius;
-            leaves += 1;
-        }
-        slack_ = radii / leaves / 50;
-    }
-
     /// @par Cost O(particles) to see what has moved, and a merge of that
     void refit(const Points& x) {
+        stale_.resize(nodes_.size());
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !(copies_.displacement(n, patch, kernels_) <= slack_);
+                stale_[n] = !built_ || !(copies_.displacement(n, patch, kernels_) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
                 copies_.take(n, patch);
@@ -330,6 +318,12 @@ private:
                 if (stale_[n]) volumes_[n] = merged(node);
             }
         }
+        if (built_) return;
+        Real radii = 0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (nodes_[n].children == 0) radii += volumes_[n].sphere().radius;
+        }
+        slack_ = radii / static_cast<Real>(leaves_.size()) / 50;
     }
 
     Grid grid_;
