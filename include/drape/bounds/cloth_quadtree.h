@@ -108,7 +108,7 @@ public:
         pairs.clear();
         PairSearch search{
             second, margin + slack_ + second.slack_, folds, pairs, {.nodes = static_cast<std::int64_t>(nodes_.size())}};
-        &second == this ? traverse_itself(0, search) : traverse_both(0, 0, search);
+        traverse_pair(0, 0, search);
         return search.stats;
     }
 
@@ -190,44 +190,34 @@ private:
         TraversalStats stats;
     };
 
-    /// A node against itself: each child against itself, and against those after it.
-    void traverse_itself(int n, PairSearch& search) {
-        const QuadtreeNode& node = nodes_[at(n)];
+    /// A node against one of the other tree: the children of both, where both have any. A node against itself: each
+    /// child against itself, and against those after it.
+    void traverse_pair(int n, int m, PairSearch& search) {
+        const bool itself = &search.other == this && n == m;
         ++search.stats.visited;
-        if (search.folds && search.folds->node_is_separated(n, search.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0) return take_leaves(n, n, search);
-        mark(n, NodeVisit::Entered);
-        for (int child = 0; child < node.children; ++child) {
-            traverse_itself(node.first_child + child, search);
-            for (int next = child + 1; next < node.children; ++next) {
-                traverse_both(node.first_child + child, node.first_child + next, search);
-            }
+        if (!itself) {
+            ++search.stats.volume_tests;
+            const bool are_near = volumes_[at(n)].comes_within(search.other.volumes_[at(m)], search.margin);
+            if (!are_near) return mark(n, NodeVisit::Pruned);
         }
-    }
-
-    /// A node against one of the other tree: the children of both, where both have any.
-    void traverse_both(int n, int m, PairSearch& search) {
+        if (search.folds && (itself ? search.folds->node_is_separated(n, search.margin)
+                                    : search.folds->nodes_are_separated(n, m, search.margin))) {
+            return mark(n, NodeVisit::Pruned);
+        }
         const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
-        ++search.stats.visited;
-        ++search.stats.volume_tests;
-        const bool are_near = volumes_[at(n)].comes_within(search.other.volumes_[at(m)], search.margin);
-        if (!are_near) return mark(n, NodeVisit::Pruned);
-        if (search.folds && search.folds->nodes_are_separated(n, m, search.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0 && other.children == 0) return take_leaves(n, m, search);
+        if (node.children == 0 && other.children == 0) {
+            mark(n, NodeVisit::Leaf);
+            search.pairs.push_back({node, other});
+            ++search.stats.leaves;
+            search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
+            return;
+        }
         mark(n, NodeVisit::Entered);
         const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
         const int other_first = other.children > 0 ? other.first_child : m, others = std::max(other.children, 1);
         for (int i = 0; i < count; ++i) {
-            for (int j = 0; j < others; ++j) traverse_both(first + i, other_first + j, search);
+            for (int j = itself ? i : 0; j < others; ++j) traverse_pair(first + i, other_first + j, search);
         }
-    }
-
-    void take_leaves(int n, int m, PairSearch& search) {
-        mark(n, NodeVisit::Leaf);
-        const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
-        search.pairs.push_back({node, other});
-        ++search.stats.leaves;
-        search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
 
     [[nodiscard]] StoppedNode stop_at(int n) const {
