@@ -20,7 +20,7 @@ public:
         pairs.assign(1, {all_cells(grid_), all_cells(other_grid)});
         return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
     }
-    TraversalStats query_near(const DistanceFunction& /*distance*/, Real /*margin*/, Candidates& found) const override {
+    TraversalStats query_near(const DistanceFunction& /*distance*/, Real /*margin*/, Candidates& found) override {
         return all(found);
     }
     [[nodiscard]] Real slack() const override { return 0; }

@@ -36,10 +36,10 @@ public:
         const Real s = goes_on ? 2 * h / 3 : h;
         dx_ = s * state.v;
         if (goes_on) dx_ += (state.x - last_.from.x) / 3;
-        const int evaluations = system_.linearise_ahead(model, state, dx_, s, r_);
+        SolveReport report{.force_evaluations = system_.linearise_ahead(model, state, dx_, s, r_)};
         r_ *= s;
         if (goes_on) r_ += (model.particle_mass / 3) * (state.v - last_.from.v);
-        SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
+        report += system_.solve(model, s, r_, dv_);
         if (system_.refines()) report += refine(model, state, s, goes_on);
         dx_ += s * dv_;
         advance(model, h, state);

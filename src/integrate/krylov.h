@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drape/model/cloth_model.h"
+#include "drape/integrate/integrator.h"
 
+/// Solvers of linear systems. Their reports have the residual |b - A x| / |b|, measured at the end, for that of the
+/// recursion drifts. A solve is unconverged where the residual, in the norm that the solver stops in, is not within its
+/// tolerance then.
 namespace drape::krylov {
-
-/// How a linear solve ended.
-struct Outcome {
-    int iterations = 0;
-    Real residual = 0;       ///< |b - A x| / |b|, measured at the end (that of the recursion drifts)
-    bool converged = false;  ///< at the end the residual, in the norm that the solver stops in, is within its tolerance
-};
 
 /// When to stop: at a residual this much smaller than the right side, in the solver's own norm, or after so many
 /// iterations.
@@ -47,15 +43,15 @@ public:
         : r_(particles, 3), p_(particles, 3), q_(particles, 3), z_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    Outcome solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
         x.setZero();
         r_ = b;
         precondition(r_, z_);
         p_ = z_;
         Real rz = dot(r_, z_);
         const Real enough = limits.tolerance * limits.tolerance * std::max(rz, Real(0));
-        Outcome outcome;
-        while (rz > enough && outcome.iterations < limits.iterations) {
+        SolveReport report{.tolerance = limits.tolerance};
+        while (rz > enough && report.iterations < limits.iterations) {
             apply(p_, q_);
             const Real alpha = rz / dot(p_, q_);
             if (!(alpha > 0)) break;
@@ -65,14 +61,14 @@ public:
             const Real before = rz;
             rz = dot(r_, z_);
             p_ = z_ + (rz / before) * p_;
-            ++outcome.iterations;
+            ++report.iterations;
         }
-        outcome.residual = residual_of(b, x, apply, q_);
+        report.residual = residual_of(b, x, apply, q_);
         r_ = b - q_;
         precondition(r_, z_);
         const Real left = dot(r_, z_);
-        outcome.converged = left >= 0 && left <= drift * drift * enough;
-        return outcome;
+        report.unconverged = left >= 0 && left <= drift * drift * enough ? 0 : 1;
+        return report;
     }
 
 private:
@@ -89,14 +85,14 @@ public:
         : r_(particles, 3), r0_(particles, 3), p_(particles, 3), v_(particles, 3), t_(particles, 3), y_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    Outcome solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
         x.setZero();
         r_ = r0_ = p_ = b;
         const Real enough = limits.tolerance * b.norm();
         Real rho = dot(r0_, r_), residual = b.norm();
-        Outcome outcome;
-        while (residual > enough && outcome.iterations < limits.iterations) {
-            ++outcome.iterations;
+        SolveReport report{.tolerance = limits.tolerance};
+        while (residual > enough && report.iterations < limits.iterations) {
+            ++report.iterations;
             precondition(p_, y_);
             apply(y_, v_);
             const Real alpha = rho / dot(r0_, v_);
@@ -115,9 +111,9 @@ public:
             const Real beta = rho / before * (alpha / omega);
             p_ = r_ + beta * (p_ - omega * v_);
         }
-        outcome.residual = residual_of(b, x, apply, v_);
-        outcome.converged = outcome.residual <= drift * limits.tolerance;
-        return outcome;
+        report.residual = residual_of(b, x, apply, v_);
+        report.unconverged = report.residual <= drift * limits.tolerance ? 0 : 1;
+        return report;
     }
 
 private:

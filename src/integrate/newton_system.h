@@ -24,7 +24,7 @@ namespace drape {
 /// nothing; or, of the clamped one, by a cycle of multigrid, with which stiff systems on large grids take few
 /// iterations. Small grids are factored, for accuracy; on larger ones the blocks and multigrid are far quicker.
 /// There the exact system falls back on factors where the blocks do not converge, on grids up to
-/// `GridFactor::largest`; on still larger ones the outcome tells. Sums run in a fixed order, and nothing is kept from
+/// `GridFactor::largest`; on still larger ones the report tells. Sums run in a fixed order, and nothing is kept from
 /// one step to the next. Norms and tolerances are those that `SolveReport` describes.
 class NewtonSystem {
 public:
@@ -90,7 +90,7 @@ public:
     /// @param s the weight of the new velocity in the step [s]
     /// @param r n x 3 [N s], set to zero at pinned particles
     /// @param dv n x 3 [m/s], overwritten
-    krylov::Outcome solve(const ClothModel& model, Real s, Points& r, Points& dv) {
+    SolveReport solve(const ClothModel& model, Real s, Points& r, Points& dv) {
         clear_pinned(r);
         const auto apply = [&](const Points& u, Points& y) {
             y = model.particle_mass * u;
@@ -100,23 +100,23 @@ public:
         int iterations = 0;  // of all attempts
         const auto solve_with = [&](int most, auto precondition) {
             const krylov::Limits limits{tolerance_, most};
-            krylov::Outcome outcome = bicgstab_ ? bicgstab_->solve(r, dv, limits, apply, precondition)
-                                                : conjugate_gradients_.solve(r, dv, limits, apply, precondition);
-            outcome.iterations = iterations += outcome.iterations;
-            return outcome;
+            SolveReport report = bicgstab_ ? bicgstab_->solve(r, dv, limits, apply, precondition)
+                                           : conjugate_gradients_.solve(r, dv, limits, apply, precondition);
+            report.iterations = iterations += report.iterations;
+            return report;
         };
         if (multigrid_ && is_stiff(model, s)) {
             multigrid_->build(model, jacobian_, s * s, s);
-            const krylov::Outcome outcome =
+            const SolveReport report =
                 solve_with(most_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
-            if (outcome.converged) return outcome;
+            if (report.unconverged == 0) return report;
         }
         if (model.grid.particles() > few_particles) {
             invert_diagonal(model, s);
-            const krylov::Outcome outcome = solve_with(
+            const SolveReport report = solve_with(
                 factor_ ? patience(model.grid.particles()) : most_iterations,
                 [&](const Points& from, Points& to) { multiply_blocks(inverse_, from.array(), to.array()); });
-            if (!factor_ || outcome.converged) return outcome;
+            if (!factor_ || report.unconverged == 0) return report;
         }
         factor_->factorise(model, jacobian_, s * s, s);
         return solve_with(refinements, [&](const Points& from, Points& to) { factor_->solve(from, to); });
@@ -146,7 +146,7 @@ public:
         Real left = left_at(dv);
         for (int made = 1; made < newton_steps_; ++made) {
             jacobian_.linearise(model, x_, v_);
-            all += report(0, solve(model, s, left_, step_));
+            all += solve(model, s, left_, step_);
             const Real before = left;
             Real part = 1;
             do {
@@ -158,15 +158,6 @@ public:
             dv = tried_;
         }
         return all;
-    }
-
-    /// The report of a step of so many force evaluations and this solve.
-    [[nodiscard]] SolveReport report(int force_evaluations, const krylov::Outcome& solved) const {
-        return {.force_evaluations = force_evaluations,
-                .iterations = solved.iterations,
-                .residual = solved.residual,
-                .tolerance = tolerance_,
-                .unconverged = solved.converged ? 0 : 1};
     }
 
 private:

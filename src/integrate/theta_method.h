@@ -23,9 +23,9 @@ public:
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {
         const Real s = theta_ * h;
         dx_ = s * state.v;
-        const int evaluations = system_.linearise_ahead(model, state, dx_, s, r_);
+        SolveReport report{.force_evaluations = system_.linearise_ahead(model, state, dx_, s, r_)};
         r_ *= h;
-        SolveReport report = system_.report(evaluations, system_.solve(model, s, r_, dv_));
+        report += system_.solve(model, s, r_, dv_);
         if (system_.refines()) {
             r_ = state.x + dx_;
             report += system_.refine(model, r_, state.v, s, theta_, dv_);

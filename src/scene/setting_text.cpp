@@ -143,28 +143,20 @@ std::string refusal(const Setting& setting, const SettingValue& value) {
 
 SettingValue parse_value(const Setting& setting, std::string_view text) {
     const std::string_view word = trimmed(text);
-    const auto refuse = [&]() -> SettingValue {
-        throw InputError(setting.full_name() + " = " + shortened(word) + ": allowed " + accepted(setting));
-    };
-    if (setting.kind == SettingKind::Text) return std::string(word);
-    if (setting.kind == SettingKind::Choice) {
-        const bool quoted = word.size() >= 2 && word.front() == '"' && word.back() == '"';
-        return std::string(quoted ? word.substr(1, word.size() - 2) : word);
-    }
+    const bool is_quoted = word.size() >= 2 && word.front() == '"' && word.back() == '"';
+    if (setting.word && word == setting.word->text) return setting.word->value;
     if (setting.kind == SettingKind::Flag) {
         if (word == "true" || word == "on" || word == "1") return true;
         if (word == "false" || word == "off" || word == "0") return false;
-        return refuse();
-    }
-    if (is_list(setting)) {
-        if (is_choice(setting, word)) return std::string(word);
+    } else if (setting.kind == SettingKind::Integer || setting.kind == SettingKind::Number) {
+        if (const auto number = parse_real(word)) return *number;
+    } else if (is_list(setting)) {
         if (word == "[]") return Values{};
-        auto list = parse_list(word);
-        return list ? SettingValue(*std::move(list)) : refuse();
+        if (auto list = parse_list(word)) return *std::move(list);
+    } else if (setting.kind == SettingKind::Choice && is_quoted) {
+        return std::string(word.substr(1, word.size() - 2));
     }
-    if (setting.word && word == setting.word->text) return setting.word->value;
-    const auto number = parse_real(word);
-    return number ? SettingValue(*number) : refuse();
+    return std::string(word);
 }
 
 std::string value_text(const SettingValue& value) {

@@ -16,7 +16,7 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .iterations = solver.iterations,
             .tolerance = solver.tolerance,
             .newton_steps = solver.newton_steps,
-            .threads = solver.threads,
+            .threads = has_step_limit(solver.integrator) ? solver.threads : 1,
             .kernels = solver.kernels};
 }
 
@@ -84,13 +84,6 @@ bool same_start(const Settings& a, const Settings& b) {
         return std::tuple(cloth.particles, cloth.width, cloth.height, cloth.plane, cloth.origin());
     };
     return a.start == b.start && std::ranges::equal(a.cloths, b.cloths, {}, start_of, start_of);
-}
-
-bool same_integrator(const SolverSettings& a, const SolverSettings& b) {
-    IntegratorParameters first = integrator_of(a);
-    const IntegratorParameters second = integrator_of(b);
-    if (!has_step_limit(second.kind)) first.threads = second.threads;
-    return first == second;
 }
 
 bool same_step_plan(const Settings& a, const Settings& b) {

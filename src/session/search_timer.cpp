@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include "drape/base/assert.h"
+#include "drape/sim/contact_search.h"
 
 namespace drape {
 
@@ -17,6 +19,31 @@ bool can_compare(const FrameView& view, const BroadPhaseParameters& parameters) 
     return !view.balls.empty() && parameters.volume != VolumeKind::Brute && parameters.search.none() && !remembers;
 }
 
+/// What the fastest search of all cloths takes [s].
+/// @param contacts receives what it finds
+double search_time(const FrameView& view, const BroadPhaseParameters& parameters, std::vector<ContactRow>& contacts) {
+    ContactSettings contact = view.settings->contact;
+    contact.continuous = Continuous::Never;
+    std::vector<ContactSearch> searches(view.cloths.size());
+    for (std::size_t c = 0; c < searches.size(); ++c) {
+        searches[c].use(parameters, view.cloths[c].model.grid, view.cloths[c].x);
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (int repetition = 0; repetition < repetitions; ++repetition) {
+        const Stopwatch watch;
+        contacts.clear();
+        for (std::size_t c = 0; c < searches.size(); ++c) {
+            const Points& x = view.cloths[c].x;
+            const MovingCloth cloth{view.cloths[c].model.grid, x, x};
+            searches[c].build(cloth, contact);
+            searches[c].traverse(view.balls, contact.thickness);
+            searches[c].narrow(cloth, view.balls, contact.thickness, 0, contacts);
+        }
+        least = std::min(least, watch.seconds());
+    }
+    return least;
+}
+
 }  // namespace
 
 const SearchTimes* SearchTimer::look(const FrameView& view) {
@@ -28,54 +55,14 @@ const SearchTimes* SearchTimer::look(const FrameView& view) {
 }
 
 std::optional<SearchTimes> SearchTimer::measure(const FrameView& view) {
-    if (!can_compare(view, broad_phase_of(*view.settings))) return std::nullopt;
-    prepare(view);
-    const auto least = [&](bool by_hierarchy) {
-        double time = std::numeric_limits<double>::infinity();
-        for (int r = 0; r < repetitions; ++r) {
-            const Stopwatch watch;
-            search(view, by_hierarchy);
-            time = std::min(time, watch.seconds());
-        }
-        return time;
-    };
-    SearchTimes times{.hierarchy = least(true)};
-    const std::size_t contacts = contacts_.size();
-    times.brute_force = least(false);
-    DRAPE_ASSERT(contacts_.size() == contacts);
-    return times;
-}
-
-/// Hierarchies and lists are made where the scene has changed.
-void SearchTimer::prepare(const FrameView& view) {
     BroadPhaseParameters parameters = broad_phase_of(*view.settings);
-    const bool same =
-        parameters == parameters_ && std::ranges::equal(cloths_, view.cloths, {}, &OfCloth::grid,
-                                                        [](const ClothView& cloth) { return cloth.model.grid; });
-    if (same) return;
-    parameters_ = parameters;
+    if (!can_compare(view, parameters)) return std::nullopt;
+    std::vector<ContactRow> by_hierarchy, by_brute_force;
+    SearchTimes times{.hierarchy = search_time(view, parameters, by_hierarchy)};
     parameters.volume = VolumeKind::Brute;
-    cloths_.clear();
-    for (const ClothView& cloth : view.cloths) {
-        OfCloth& own = cloths_.emplace_back();
-        own.grid = cloth.model.grid;
-        own.hierarchy.use(parameters_, own.grid, cloth.x);
-        own.brute_force.use(parameters, own.grid, cloth.x);
-    }
-}
-
-void SearchTimer::search(const FrameView& view, bool by_hierarchy) {
-    ContactSettings contact = view.settings->contact;
-    contact.continuous = Continuous::Never;
-    contacts_.clear();
-    for (std::size_t c = 0; c < cloths_.size(); ++c) {
-        ContactSearch& searched = by_hierarchy ? cloths_[c].hierarchy : cloths_[c].brute_force;
-        const Points& x = view.cloths[c].x;
-        const MovingCloth cloth{cloths_[c].grid, x, x};
-        searched.build(cloth, contact);
-        searched.traverse(view.balls, contact.thickness);
-        searched.narrow(cloth, view.balls, contact.thickness, 0, contacts_);
-    }
+    times.brute_force = search_time(view, parameters, by_brute_force);
+    DRAPE_ASSERT(by_hierarchy.size() == by_brute_force.size());
+    return times;
 }
 
 }  // namespace drape

@@ -223,9 +223,8 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
         if (settings_.cloths[number].pinned != before.cloths[number].pinned) stop_pins(cloth);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
-    if (!same_integrator(before.solver, settings_.solver)) {
-        cloth.integrator.use(integrator_of(settings_.solver), cloth.model.grid);
-    }
+    const IntegratorParameters integrator = integrator_of(settings_.solver);
+    if (integrator != integrator_of(before.solver)) cloth.integrator.use(integrator, cloth.model.grid);
 }
 
 void Simulation::use_pins() {

@@ -16,11 +16,10 @@ Simulation touching_simulation(const std::vector<std::string>& assignments = {})
 }
 
 TEST(SearchTimer, FindsTheSameContactsBothWaysInEachSceneAndChangesNothing) {
-    SearchTimer timer;
     Simulation small = touching_simulation(), other = touching_simulation({"contact.volume=obb"});
     const Simulation undisturbed = small;
     for (Simulation* simulation : {&small, &other, &small}) {
-        const auto times = timer.measure(simulation->view(1));
+        const auto times = SearchTimer::measure(simulation->view(1));
         ASSERT_TRUE(times);
         EXPECT_GT(times->hierarchy, 0);
         EXPECT_GT(times->brute_force, 0);
@@ -33,13 +32,13 @@ TEST(SearchTimer, SaysNothingWhereThereIsNothingToCompare) {
     for (const char* assignment :
          {"contact.volume=brute", "contact.update=refit", "contact.update=none", "contact.search_level=2"}) {
         Simulation simulation = small_simulation({assignment});
-        EXPECT_FALSE(timer.measure(simulation.view(1))) << assignment;
+        EXPECT_FALSE(SearchTimer::measure(simulation.view(1))) << assignment;
         EXPECT_EQ(timer.look(simulation.view(1)), nullptr) << assignment;
     }
     Settings settings = small_settings();
     settings.balls.clear();
     Simulation without_ball("drop", std::move(settings));
-    EXPECT_FALSE(timer.measure(without_ball.view(1)));
+    EXPECT_FALSE(SearchTimer::measure(without_ball.view(1)));
 }
 
 TEST(SearchTimer, FindsThatTheLargeSceneTestsLessThanOneCellInThirty) {
@@ -52,7 +51,7 @@ TEST(SearchTimer, FindsThatTheLargeSceneTestsLessThanOneCellInThirty) {
     ASSERT_GT(report.contacts, 0);
     const std::int64_t all = 255 * 255 * static_cast<std::int64_t>(simulation.balls().size());
     EXPECT_LT(30 * report.traversal.candidates, all);
-    const auto times = SearchTimer().measure(simulation.view(1));
+    const auto times = SearchTimer::measure(simulation.view(1));
     EXPECT_TRUE(times);
 }
 

@@ -126,7 +126,7 @@ public:
     /// ends this one.
     /// @param distance from the body's surface
     /// @param margin [m] @pre `build` was called
-    virtual TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const = 0;
+    virtual TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) = 0;
 
     /// By how much the nodes may be too small: the query makes up for it [m].
     [[nodiscard]] virtual Real slack() const = 0;

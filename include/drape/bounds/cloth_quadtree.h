@@ -60,7 +60,6 @@ public:
             leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
             leaves_.push_back(static_cast<int>(n));
         }
-        if (!limit_.none()) queue_.reserve(nodes_.size());
         std::ranges::sort(leaves_, {}, [this](int n) { return std::pair(nodes_[at(n)].j0, nodes_[at(n)].i0); });
     }
 
@@ -79,7 +78,7 @@ public:
                 insert_all(x);
                 break;
             case UpdateKind::Refit:
-                built_ ? refit(x) : start_refitting(x);
+                refit(x);
                 break;
             case UpdateKind::None:
                 if (!built_) {
@@ -94,18 +93,12 @@ public:
     }
 
     TraversalStats query(const Ball& ball, Candidates& found) override {
-        TraversalStats stats = begin_query(found);
         // Also by the rounding of points as far out as the ball: the exact test of a triangle is not more exact
         const Real size = ball.centre.cwiseAbs().sum() + ball.radius;
         const Ball grown_ball = grown(ball, slack_ + 16 * std::numeric_limits<Real>::epsilon() * size);
-        if (!limit_.none()) {
-            search_limited(grown_ball, found, stats);
-        } else {
-            const auto is_apart = [&](const Volume& volume) { return !volume.overlaps(grown_ball); };
-            const auto mark_node = [this](int n, NodeVisit visit) { mark(n, visit); };
-            traverse(0, is_apart, mark_node, found, stats);
-        }
-        return stats;
+        const auto is_apart = [&](const Volume& volume) { return !volume.overlaps(grown_ball); };
+        const auto mark_node = [this](int n, NodeVisit visit) { mark(n, visit); };
+        return traverse(limit_, is_apart, mark_node, found);
     }
 
     TraversalStats query(const BroadPhase& other, Real margin, const FoldTest* folds,
@@ -115,12 +108,11 @@ public:
         pairs.clear();
         PairSearch search{
             second, margin + slack_ + second.slack_, folds, pairs, {.nodes = static_cast<std::int64_t>(nodes_.size())}};
-        &second == this ? traverse_itself(0, search) : traverse_both(0, 0, search);
+        traverse_pair(0, 0, search);
         return search.stats;
     }
 
-    TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) const override {
-        TraversalStats stats = begin_query(found);
+    TraversalStats query_near(const DistanceFunction& distance, Real margin, Candidates& found) override {
         // Where the middle of its sphere is farther from the body than the sphere is wide
         const auto is_apart = [&](const Volume& volume) {
             const BoundingSphere sphere = volume.sphere();
@@ -129,8 +121,7 @@ public:
             return distance(sphere.centre) > sphere.radius + margin + slack_ + rounding;
         };
         const auto leave_unmarked = [](int /*n*/, NodeVisit /*visit*/) {};  // the marks are those of balls
-        traverse(0, is_apart, leave_unmarked, found, stats);
-        return stats;
+        return traverse({}, is_apart, leave_unmarked, found);
     }
 
     [[nodiscard]] Real slack() const override { return slack_; }
@@ -151,51 +142,30 @@ public:
 private:
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
-    TraversalStats begin_query(Candidates& found) const {
+    /// Into every node that is not apart from what is searched for, level by level from the root down; the cells of the
+    /// leaves that are not are the candidates. What ends a limited search has so seen all of the cloth alike.
+    /// @param mark told of each node and what is done with it
+    /// @cite dissertation @cite hubbard1996
+    template <class IsApart, class Mark>
+    TraversalStats traverse(const SearchLimit& limit, const IsApart& is_apart, const Mark& mark, Candidates& found) {
         DRAPE_ASSERT(built_);
         found.cells.clear();
         found.cells.reserve(leaf_rows_);
         found.stopped.clear();
-        return {.nodes = static_cast<std::int64_t>(nodes_.size())};
-    }
-
-    /// Into every node that is not apart from what is searched for, from the root down; the cells of the leaves that
-    /// are not are the candidates.
-    /// @param mark told of each node and what is done with it
-    /// @cite dissertation
-    template <class IsApart, class Mark>
-    void traverse(int n, const IsApart& is_apart, const Mark& mark, Candidates& found, TraversalStats& stats) const {
-        const QuadtreeNode& node = nodes_[at(n)];
-        ++stats.visited;
-        ++stats.volume_tests;
-        if (is_apart(volumes_[at(n)])) {
-            mark(n, NodeVisit::Pruned);
-            ++stats.pruned;
-        } else if (node.children == 0) {
-            mark(n, NodeVisit::Leaf);
-            take_leaf(node, found, stats);
-        } else {
-            mark(n, NodeVisit::Entered);
-            for (int child = 0; child < node.children; ++child) {
-                traverse(node.first_child + child, is_apart, mark, found, stats);
-            }
-        }
-    }
-
-    /// Level by level, so that what ends it has seen all of the cloth alike. @cite hubbard1996
-    void search_limited(const Ball& ball, Candidates& found, TraversalStats& stats) {
-        found.stopped.reserve(nodes_.size());
+        if (!limit.none()) found.stopped.reserve(nodes_.size());
+        queue_.reserve(nodes_.size());
         queue_.assign(1, 0);
+        TraversalStats stats{.nodes = static_cast<std::int64_t>(nodes_.size())};
         for (std::size_t next = 0; next < queue_.size(); ++next) {
             const int n = queue_[next];
             const QuadtreeNode& node = nodes_[at(n)];
             ++stats.visited;
-            const bool spent = limit_.tests > 0 && stats.volume_tests == limit_.tests;
+            const bool spent = limit.tests > 0 && stats.volume_tests == limit.tests;
             if (!spent) ++stats.volume_tests;
-            if (!spent && !volumes_[at(n)].overlaps(ball)) {
+            if (!spent && is_apart(volumes_[at(n)])) {
                 mark(n, NodeVisit::Pruned);
                 ++stats.pruned;
-            } else if (spent || (node.level == limit_.level && node.children > 0)) {
+            } else if (spent || (node.level == limit.level && node.children > 0)) {
                 mark(n, NodeVisit::Entered);
                 found.stopped.push_back(stop_at(n));
             } else if (node.children == 0) {
@@ -207,6 +177,7 @@ private:
             }
         }
         stats.stopped = static_cast<std::int64_t>(found.stopped.size());
+        return stats;
     }
 
     /// This tree and another, or itself, gone down in pairs of nodes to the pairs of leaves that are no farther from
@@ -219,44 +190,34 @@ private:
         TraversalStats stats;
     };
 
-    /// A node against itself: each child against itself, and against those after it.
-    void traverse_itself(int n, PairSearch& search) {
-        const QuadtreeNode& node = nodes_[at(n)];
+    /// A node against one of the other tree: the children of both, where both have any. A node against itself: each
+    /// child against itself, and against those after it.
+    void traverse_pair(int n, int m, PairSearch& search) {
+        const bool itself = &search.other == this && n == m;
         ++search.stats.visited;
-        if (search.folds && search.folds->node_is_separated(n, search.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0) return take_leaves(n, n, search);
-        mark(n, NodeVisit::Entered);
-        for (int child = 0; child < node.children; ++child) {
-            traverse_itself(node.first_child + child, search);
-            for (int next = child + 1; next < node.children; ++next) {
-                traverse_both(node.first_child + child, node.first_child + next, search);
-            }
+        if (!itself) {
+            ++search.stats.volume_tests;
+            const bool are_near = volumes_[at(n)].comes_within(search.other.volumes_[at(m)], search.margin);
+            if (!are_near) return mark(n, NodeVisit::Pruned);
         }
-    }
-
-    /// A node against one of the other tree: the children of both, where both have any.
-    void traverse_both(int n, int m, PairSearch& search) {
+        if (search.folds && (itself ? search.folds->node_is_separated(n, search.margin)
+                                    : search.folds->nodes_are_separated(n, m, search.margin))) {
+            return mark(n, NodeVisit::Pruned);
+        }
         const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
-        ++search.stats.visited;
-        ++search.stats.volume_tests;
-        const bool are_near = volumes_[at(n)].comes_within(search.other.volumes_[at(m)], search.margin);
-        if (!are_near) return mark(n, NodeVisit::Pruned);
-        if (search.folds && search.folds->nodes_are_separated(n, m, search.margin)) return mark(n, NodeVisit::Pruned);
-        if (node.children == 0 && other.children == 0) return take_leaves(n, m, search);
+        if (node.children == 0 && other.children == 0) {
+            mark(n, NodeVisit::Leaf);
+            search.pairs.push_back({node, other});
+            ++search.stats.leaves;
+            search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
+            return;
+        }
         mark(n, NodeVisit::Entered);
         const int first = node.children > 0 ? node.first_child : n, count = std::max(node.children, 1);
         const int other_first = other.children > 0 ? other.first_child : m, others = std::max(other.children, 1);
         for (int i = 0; i < count; ++i) {
-            for (int j = 0; j < others; ++j) traverse_both(first + i, other_first + j, search);
+            for (int j = itself ? i : 0; j < others; ++j) traverse_pair(first + i, other_first + j, search);
         }
-    }
-
-    void take_leaves(int n, int m, PairSearch& search) {
-        mark(n, NodeVisit::Leaf);
-        const QuadtreeNode &node = nodes_[at(n)], &other = search.other.nodes_[at(m)];
-        search.pairs.push_back({node, other});
-        ++search.stats.leaves;
-        search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
     }
 
     [[nodiscard]] StoppedNode stop_at(int n) const {
@@ -330,26 +291,14 @@ private:
 
     /// A leaf counts as moved where a particle is farther from where it was fitted than a fiftieth of the leaf's size,
     /// and until then the slack makes up for it.
-    void start_refitting(const Points& x) {
-        merge(x);
-        stale_.assign(nodes_.size(), false);
-        Real radii = 0, leaves = 0;
-        for (std::size_t n = 0; n < nodes_.size(); ++n) {
-            if (nodes_[n].children > 0) continue;
-            copies_.take(n, patch_of(grid_, nodes_[n], x));
-            radii += volumes_[n].sphere().radius;
-            leaves += 1;
-        }
-        slack_ = radii / leaves / 50;
-    }
-
     /// @par Cost O(particles) to see what has moved, and a merge of that
     void refit(const Points& x) {
+        stale_.resize(nodes_.size());
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !(copies_.displacement(n, patch, kernels_) <= slack_);
+                stale_[n] = !built_ || !(copies_.displacement(n, patch, kernels_) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
                 copies_.take(n, patch);
@@ -359,6 +308,12 @@ private:
                 if (stale_[n]) volumes_[n] = merged(node);
             }
         }
+        if (built_) return;
+        Real radii = 0;
+        for (std::size_t n = 0; n < nodes_.size(); ++n) {
+            if (nodes_[n].children == 0) radii += volumes_[n].sphere().radius;
+        }
+        slack_ = radii / static_cast<Real>(leaves_.size()) / 50;
     }
 
     Grid grid_;
@@ -370,7 +325,7 @@ private:
     std::vector<Volume> volumes_;
     std::vector<NodeVisit> visits_;
     std::vector<int> leaves_;    ///< numbers of nodes, row by row
-    std::vector<int> queue_;     ///< for a limited search: nodes that it visits
+    std::vector<int> queue_;     ///< nodes that a search visits
     std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;

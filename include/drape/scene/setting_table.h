@@ -91,9 +91,8 @@ std::string accepted(const Setting& setting);
 /// @return what is wrong, as "solver.dt = 5: allowed 1e-09 <= dt <= 0.1 s"; empty if nothing
 std::string refusal(const Setting& setting, const SettingValue& value);
 
-/// The value that a text stands for, unchecked but for its form. Lists are "1,2,3" or "[1, 2, 3]"; a number may be its
-/// word.
-/// @throws InputError
+/// The value that a text stands for, unchecked. Lists are "1,2,3" or "[1, 2, 3]"; a number may be its word. A text of
+/// no such form stands for itself, which `refusal` refuses.
 SettingValue parse_value(const Setting& setting, std::string_view text);
 
 /// The text that `parse_value` reads back.

@@ -227,7 +227,8 @@ struct Settings {
 /// Of cloths and free balls [m/s^2].
 [[nodiscard]] Vec3 gravity_of(const Settings& settings);
 
-/// The integrator that the settings name.
+/// The integrator that the settings name. Only the methods with a limit share their work among threads: with other
+/// threads the others keep what they remember.
 [[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
 
 /// The response that the settings name.
@@ -241,10 +242,6 @@ bool same_motion(const Settings& a, const Settings& b);
 
 /// True if the cloths start in the same positions with the same particles, so that a state can be kept.
 bool same_start(const Settings& a, const Settings& b);
-
-/// True if the integrator that was made for one will do for the other. Only the methods with a limit share their work
-/// among threads; the others keep what they remember.
-bool same_integrator(const SolverSettings& a, const SolverSettings& b);
 
 /// True if the longest stable step and the number of substeps are the same.
 bool same_step_plan(const Settings& a, const Settings& b);

@@ -1,10 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "drape/base/stopwatch.h"
-#include "drape/sim/contact_search.h"
 #include "drape/sim/frame_view.h"
 
 namespace drape {
@@ -19,22 +17,11 @@ public:
     /// Searches every cloth for every ball, both ways, three times, of which the fastest counts.
     /// @return nothing without a ball or a hierarchy, under a limit of the search, and for an update that depends on
     /// the steps before (refit, none): what that costs shows in a run only
-    std::optional<SearchTimes> measure(const FrameView& view);
+    static std::optional<SearchTimes> measure(const FrameView& view);
 
 private:
-    struct OfCloth {
-        Grid grid;
-        ContactSearch hierarchy, brute_force;
-    };
-
-    void prepare(const FrameView& view);
-    void search(const FrameView& view, bool by_hierarchy);
-
     std::optional<Stopwatch> watch_;  ///< since the last comparison
     std::optional<SearchTimes> times_;
-    BroadPhaseParameters parameters_;
-    std::vector<OfCloth> cloths_;
-    std::vector<ContactRow> contacts_;  ///< of all cloths
 };
 
 }  // namespace drape

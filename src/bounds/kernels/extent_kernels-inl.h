@@ -29,14 +29,6 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
     });
 }
 
-HWY_INLINE void bounding_box_in(const Patch& patch, Real* low, Real* high) {
-    extents(patch, low, high, std::make_index_sequence<3>(), [&](auto d, int p) HWY_ATTR {
-        using V = hn::Vec<decltype(d)>;
-        return Figures<V, 3>{{loaded_once(hn::LoadU(d, patch.x + p)), loaded_once(hn::LoadU(d, patch.y + p)),
-                              loaded_once(hn::LoadU(d, patch.z + p))}};
-    });
-}
-
 /// The terms of a sum so far, and one more: added, taken off or left out. In the order of `dop_projection`.
 template <int factor, class V>
 HWY_INLINE V plus(V sum, V term) {
@@ -63,14 +55,15 @@ template <int K, std::size_t... k>
 HWY_INLINE void dop_extents_in(const Patch& patch, Real* low, Real* high, std::index_sequence<k...> each) {
     extents(patch, low, high, each, [&](auto d, int p) HWY_ATTR {
         using V = hn::Vec<decltype(d)>;
-        const V x = hn::LoadU(d, patch.x + p), y = hn::LoadU(d, patch.y + p), z = hn::LoadU(d, patch.z + p);
+        const V x = loaded_once(hn::LoadU(d, patch.x + p)), y = loaded_once(hn::LoadU(d, patch.y + p)),
+                z = loaded_once(hn::LoadU(d, patch.z + p));
         return Figures<V, K / 2>{{projection<dop_numbers<K>[k]>(x, y, z)...}};
     });
 }
 
 void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
     if (slabs == 3)
-        bounding_box_in(patch, low, high);
+        dop_extents_in<6>(patch, low, high, std::make_index_sequence<3>());
     else if (slabs == 7)
         dop_extents_in<14>(patch, low, high, std::make_index_sequence<7>());
     else if (slabs == 9)
@@ -81,15 +74,9 @@ void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
 
 void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
     extents(patch, low, high, std::make_index_sequence<3>(), [&](auto d, int p) HWY_ATTR {
-        using V = hn::Vec<decltype(d)>;
-        const V dx = hn::Sub(hn::LoadU(d, patch.x + p), hn::Set(d, origin[0]));
-        const V dy = hn::Sub(hn::LoadU(d, patch.y + p), hn::Set(d, origin[1]));
-        const V dz = hn::Sub(hn::LoadU(d, patch.z + p), hn::Set(d, origin[2]));
-        Figures<V, 3> along;
-        for (int k = 0; k < 3; ++k) {
-            const V first = hn::Add(hn::Mul(dx, hn::Set(d, axes(0, k))), hn::Mul(dy, hn::Set(d, axes(1, k))));
-            along.figure[k] = hn::Add(first, hn::Mul(dz, hn::Set(d, axes(2, k))));
-        }
+        const auto offset = minus(particles_from(d, patch, p), in_each_lane(d, origin));
+        Figures<hn::Vec<decltype(d)>, 3> along;
+        for (int k = 0; k < 3; ++k) along.figure[k] = dot(offset, in_each_lane(d, axes.data() + 3 * k));
         return along;
     });
 }
@@ -146,16 +133,11 @@ ParticleIndex farthest_particle_of(const Patch& patch, const Vec3& from) {
 Extremes extreme_particles_of(const Patch& patch, const std::array<int, 3>& direction) {
     Extremes found{};
     with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
-        const auto along_x = hn::Set(d, static_cast<Real>(direction[0]));
-        const auto along_y = hn::Set(d, static_cast<Real>(direction[1]));
-        const auto along_z = hn::Set(d, static_cast<Real>(direction[2]));
+        const auto along_line = in_each_lane(d, direction);
         Highest high(d), low(d);
         for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
             const int start = j * patch.stride + i;
-            const auto x = hn::Mul(along_x, hn::LoadU(d, patch.x + start));
-            const auto y = hn::Mul(along_y, hn::LoadU(d, patch.y + start));
-            const auto z = hn::Mul(along_z, hn::LoadU(d, patch.z + start));
-            const auto along = hn::Add(hn::Add(x, y), z);
+            const auto along = dot(along_line, particles_from(d, patch, start));
             high.see(along, start);
             low.see(hn::Neg(along), start);
         });

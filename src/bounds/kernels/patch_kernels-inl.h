@@ -126,11 +126,9 @@ Real largest_displacement_square_of(const Patch& now, const Patch& before) {
     with_vectors_for(now.columns, [&](auto d) HWY_ATTR {
         auto far = hn::Zero(d);
         for_each_vector(d, now, [&](int i, int j) HWY_ATTR {
-            const int a = j * now.stride + i, b = j * before.stride + i;
-            const auto dx = hn::Sub(hn::LoadU(d, now.x + a), hn::LoadU(d, before.x + b));
-            const auto dy = hn::Sub(hn::LoadU(d, now.y + a), hn::LoadU(d, before.y + b));
-            const auto dz = hn::Sub(hn::LoadU(d, now.z + a), hn::LoadU(d, before.z + b));
-            far = hn::Max(far, hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz)));
+            const auto moved =
+                minus(particles_from(d, now, j * now.stride + i), particles_from(d, before, j * before.stride + i));
+            far = hn::Max(far, dot(moved, moved));
         });
         largest = largest_lane(d, far);
     });

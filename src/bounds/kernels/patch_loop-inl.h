@@ -3,6 +3,7 @@
 #include <hwy/highway.h>
 
 #include "drape/bounds/bounding_volume.h"
+#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
@@ -45,13 +46,24 @@ HWY_INLINE V loaded_once(V value) {
     return value;
 }
 
+/// A vector of particles.
+template <class D>
+HWY_INLINE Lanes3<hn::Vec<D>> particles_from(D d, const Patch& patch, int start) {
+    return {hn::LoadU(d, patch.x + start), hn::LoadU(d, patch.y + start), hn::LoadU(d, patch.z + start)};
+}
+
+/// The same point or direction in every lane.
+template <class D, class Coordinates>
+HWY_INLINE Lanes3<hn::Vec<D>> in_each_lane(D d, const Coordinates& v) {
+    return {hn::Set(d, static_cast<Real>(v[0])), hn::Set(d, static_cast<Real>(v[1])),
+            hn::Set(d, static_cast<Real>(v[2]))};
+}
+
 /// The squared distances of a vector of particles from a point.
 template <class D>
 HWY_INLINE hn::Vec<D> square_to(D d, const Patch& patch, int start, const Vec3& centre) {
-    const auto dx = hn::Sub(hn::LoadU(d, patch.x + start), hn::Set(d, centre[0]));
-    const auto dy = hn::Sub(hn::LoadU(d, patch.y + start), hn::Set(d, centre[1]));
-    const auto dz = hn::Sub(hn::LoadU(d, patch.z + start), hn::Set(d, centre[2]));
-    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+    const auto offset = minus(particles_from(d, patch, start), in_each_lane(d, centre));
+    return dot(offset, offset);
 }
 
 template <class D>

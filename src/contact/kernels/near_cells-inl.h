@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "bounds/kernels/patch_loop-inl.h"
-#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
