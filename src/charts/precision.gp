@@ -16,6 +16,7 @@ noted(method, error, cost) = (points = points + 1, methods = listed(methods, met
   least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), \
   particles = column('particles'), stiffness = column('stiffness_N_per_m'), 0)
 stats table using (@here ? noted(strcol('method'), column('error'), column('cost_s_per_s')) : 0) nooutput
+if (points == 0) { exit status 3 }
 # The Pareto front: points that no other one beats in both numbers
 array errors[points]; array costs[points]
 points = 0

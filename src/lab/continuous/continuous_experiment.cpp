@@ -201,8 +201,7 @@ Experiment continuous_experiment() {
              number_column("search_s").or_nan().with_quartiles()},
             {{"part", "target", "detection", "q", "particles"},
              {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
-            {{"misses", miss_cases, charts_of({{.name = "continuous_misses"}})},
-             {"time", time_cases, charts_of({{.name = "continuous_time"}})}}};
+            {{"misses", miss_cases, {{"continuous_misses"}}}, {"time", time_cases, {{"continuous_time"}}}}};
 }
 
 }  // namespace drape

@@ -124,27 +124,17 @@ TableRow Row::texts(const Columns& columns, int digits) const {
     return texts;
 }
 
-Rows rows_with(Rows rows, const char* column, const std::string& word) {
+Rows rows_with(Rows rows, const std::string& column, const std::string& word) {
     std::erase_if(rows, [&](const Row& row) { return row.word(column) != word; });
     return rows;
 }
 
-std::vector<std::string> words_of(const Rows& rows, const char* column) {
+std::vector<std::string> words_of(const Rows& rows, const std::string& column) {
     std::vector<std::string> words;
     for (const Row& row : rows) {
         if (std::ranges::find(words, row.word(column)) == words.end()) words.push_back(row.word(column));
     }
     return words;
-}
-
-ChartsOfRows charts_by(const char* column, const char* script) {
-    return [column, script](const Rows& rows) {
-        std::vector<Chart> charts;
-        for (const std::string& word : words_of(rows, column)) {
-            charts.push_back({.name = script + ("_" + word), .values = {{column, word}}, .script = script});
-        }
-        return charts;
-    };
 }
 
 ExperimentCases Experiment::cases(bool quick) const {
@@ -167,7 +157,18 @@ std::vector<Chart> Experiment::charts(const Rows& rows) const {
     std::vector<Chart> all;
     for (const ExperimentPart& part : parts) {
         const Rows own = part.name.empty() ? rows : rows_with(rows, "part", part.name);
-        if (!own.empty() && part.charts) std::ranges::move(part.charts(own), std::back_inserter(all));
+        if (part.charts_by.empty()) {
+            if (!own.empty()) std::ranges::copy(part.charts, std::back_inserter(all));
+            continue;
+        }
+        for (const std::string& word : words_of(own, part.charts_by)) {
+            for (Chart chart : part.charts) {
+                chart.script = std::exchange(chart.name, chart.name + "_" + word);
+                chart.values[part.charts_by] = word;
+                if (chart.complete) chart.complete(chart, rows_with(own, part.charts_by, word));
+                all.push_back(chart);
+            }
+        }
     }
     return all;
 }

@@ -122,7 +122,7 @@ private:
 using Rows = std::vector<Row>;
 
 /// Rows that have a word in a column.
-Rows rows_with(Rows rows, const char* column, const std::string& word);
+Rows rows_with(Rows rows, const std::string& column, const std::string& word);
 
 /// The names of some items, for a column of words.
 template <class Items, class Name>
@@ -133,7 +133,7 @@ std::vector<std::string> names_in(const Items& items, Name name) {
 }
 
 /// The words that rows have in a column, each once, in the order in which they come.
-std::vector<std::string> words_of(const Rows& rows, const char* column);
+std::vector<std::string> words_of(const Rows& rows, const std::string& column);
 
 /// A picture of a table, drawn by gnuplot from an installed script.
 struct Chart {
@@ -144,6 +144,8 @@ struct Chart {
     std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
     std::string caption = {};                  ///< under the picture, after what the script's head says of it
+    /// Adds values and a caption that follow from the rows of its word, where there is a chart a word.
+    std::function<void(Chart&, const Rows& rows)> complete = {};
 };
 
 /// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
@@ -151,27 +153,20 @@ struct Chart {
 /// @throws RunError if there is any other
 std::string assignments_of(const Chart& chart);
 
-/// What is drawn of some rows of a table.
-using ChartsOfRows = std::function<std::vector<Chart>(const Rows& rows)>;
-
-/// Some charts, whatever the rows are. A script that finds nothing to draw makes no picture.
-inline ChartsOfRows charts_of(std::vector<Chart> charts) {
-    return [charts = std::move(charts)](const Rows&) { return charts; };
-}
-
-/// A chart SCRIPT_WORD for each word that rows have in a column, which is the script's variable of that name.
-ChartsOfRows charts_by(const char* column, const char* script);
-
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
 using ExperimentCases = std::vector<ExperimentCase>;
 
-/// Some cases, and what is drawn of their rows where there are any. A share may have none.
+/// Some cases, and what is drawn of their rows where there are any. A share may have none, and a script that finds
+/// nothing to draw makes no picture.
 struct ExperimentPart {
     /// Written to column `part` of its rows; empty if it is the only part and there is no such column.
     std::string name;
     std::function<ExperimentCases(bool quick)> cases;
-    ChartsOfRows charts;  ///< {}: none
+    std::vector<Chart> charts;
+    /// Each chart is drawn as NAME_WORD for each word that rows have in this column, which is the script's variable of
+    /// that name; empty: once.
+    std::string charts_by = {};
 };
 
 /// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,

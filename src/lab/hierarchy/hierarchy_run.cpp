@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -146,8 +148,9 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     return motion;
 }
 
-RecordedMotion Motions::find(const MotionWanted& wanted) {
-    RecordedMotion& recorded = recorded_[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
+RecordedMotion find_motion(const MotionWanted& wanted) {
+    static std::map<std::tuple<std::string, double, double, int>, RecordedMotion> all;
+    RecordedMotion& recorded = all[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
     if (recorded.x.empty()) recorded = record_motion(wanted, load_scene(wanted.scene));
     RecordedMotion motion = recorded;
     if (wanted.side == 0) return motion;

@@ -167,7 +167,7 @@ Experiment original_experiment() {
             {{"volume", "bounds_drawn"},
              {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s", "single_build_s",
               "single_search_s"}},
-            {{"", original_cases, charts_of({{.name = "original"}})}}};
+            {{"", original_cases, {{"original"}}}}};
 }
 
 }  // namespace drape
