@@ -90,22 +90,18 @@ private:
 
     /// Where the search has ended early, the nodes that it has not opened must hold what it has not found.
     void demand_the_same(std::size_t frame) const {
-        const auto disagree = [&](int triangle, const char* how) {
-            throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle, how));
-        };
-        std::vector<int> invented, missed;
-        std::ranges::set_difference(triangles_, expected_, std::back_inserter(invented));
-        std::ranges::set_difference(expected_, triangles_, std::back_inserter(missed));
-        for (const int triangle : invented) {
+        std::vector<int> differing;
+        std::ranges::set_symmetric_difference(triangles_, expected_, std::back_inserter(differing));
+        for (const int triangle : differing) {
+            const bool was_found = std::ranges::binary_search(triangles_, triangle);
             const bool touches = std::ranges::binary_search(expected_, triangle);
-            disagree(triangle, touches ? "was found twice" : "was found, but brute force finds that it is free");
-        }
-        const int columns = motion_.grid.cell_columns();
-        for (const int triangle : missed) {
-            const int cell = triangle / 2;
-            const auto holds = [&](const StoppedNode& node) { return node.holds(cell % columns, cell / columns); };
-            if (std::ranges::any_of(found_.stopped, holds)) continue;
-            disagree(triangle, "touches the ball, and the search has missed it");
+            const int cell = triangle / 2, columns = motion_.grid.cell_columns();
+            const auto holds = [=](const StoppedNode& node) { return node.holds(cell % columns, cell / columns); };
+            if (!was_found && std::ranges::any_of(found_.stopped, holds)) continue;
+            throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle,
+                                       !was_found ? "touches the ball, and the search has missed it"
+                                       : touches  ? "was found twice"
+                                                  : "was found, but brute force finds that it is free"));
         }
     }
 
