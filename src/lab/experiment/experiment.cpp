@@ -37,12 +37,10 @@ std::string allowed_in(const Column& column) {
 }
 
 /// Words stand for themselves but for "none", numbers with the names of their columns.
-std::string label_of(const Experiment& experiment, const Row& row) {
+std::string label_of(const Summary& summary, const Row& row) {
     std::vector<std::string> parts;
-    for (const std::string& column : experiment.summary.by) {
-        const auto found = std::ranges::find(experiment.columns, column, &Column::name);
-        DRAPE_ASSERT(found != experiment.columns.end());
-        const std::string cell = row.text(*found, experiment.digits);
+    for (const std::string& column : summary.by) {
+        const std::string cell = row.word(column);
         const auto number = parse_real(cell);
         if (cell.empty() || cell == "none" || (number && std::isnan(*number))) continue;
         parts.push_back(number ? column + " " + cell : cell);
@@ -89,11 +87,12 @@ std::string flaw_of(const Columns& columns, const TableRow& row) {
 }
 
 void Row::set(const std::string& column, const Cell& cell) {
-    cells_.insert_or_assign(column, cell);
     if (const auto* quartiles = std::get_if<Quartiles>(&cell)) {
         set(column, quartiles->median);
         set(quartile_name(column, "_lower"), quartiles->lower);
         set(quartile_name(column, "_upper"), quartiles->upper);
+    } else {
+        cells_.insert_or_assign(column, std::get<std::string>(cell));
     }
 }
 
@@ -104,14 +103,11 @@ void Row::set(const Row& other) {
 std::string Row::text(const Column& column, int digits) const {
     const auto found = cells_.find(column.name);
     const bool is_word = column.kind == Column::Kind::Word;
-    const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
-    if (is_word != std::holds_alternative<std::string>(cell)) {
-        throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
-    }
-    if (is_word) return std::get<std::string>(cell);
-    const double number = std::get<double>(cell);
-    if (std::isnan(number) && has_word(column, "")) return "";
-    return real_text(number, column.kind == Column::Kind::Whole ? 17 : digits);
+    const std::string cell = found != cells_.end() ? found->second : is_word ? "none" : "nan";
+    const auto number = parse_real(cell);
+    if (is_word || !number) return cell;
+    if (std::isnan(*number) && has_word(column, "")) return "";
+    return real_text(*number, column.kind == Column::Kind::Whole ? 17 : digits);
 }
 
 TableRow Row::texts(const Columns& columns, int digits) const {
@@ -177,7 +173,7 @@ std::string summary_of(const Experiment& experiment, const Rows& rows) {
     std::vector<std::string> names;
     std::map<std::string, Rows> groups;
     for (const Row& row : rows) {
-        const std::string name = label_of(experiment, row);
+        const std::string name = label_of(experiment.summary, row);
         if (!groups.contains(name)) names.push_back(name);
         groups[name].push_back(row);
     }

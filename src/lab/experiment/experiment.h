@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "drape/base/enum_names.h"
+#include "drape/base/numbers.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
@@ -77,11 +78,12 @@ using TableRow = std::vector<std::string>;
 /// @param row as many cells as there are columns
 std::string flaw_of(const Columns& columns, const TableRow& row);
 
-/// What a row has in a column: a number, a word, or a median and its quartiles, which are cells of their own.
-struct Cell : std::variant<double, std::string, Quartiles> {
+/// What a row has in a column: a word, all digits of a number, or a median and its quartiles, which are cells of their
+/// own.
+struct Cell : std::variant<std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
-        : variant(static_cast<double>(number)) {}
+        : variant(real_text(static_cast<double>(number))) {}
     template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
     Cell(const char* word) : variant(word) {}
@@ -102,21 +104,22 @@ public:
     /// Sets the cells that another row has.
     void set(const Row& other);
 
+    /// What it has in a column, as a number and as it is.
     /// @throws std::out_of_range if the row has no cell there
-    [[nodiscard]] double number(const std::string& column) const { return std::get<double>(cells_.at(column)); }
-    [[nodiscard]] std::string word(const std::string& column) const { return std::get<std::string>(cells_.at(column)); }
+    [[nodiscard]] double number(const std::string& column) const {
+        return parse_real(word(column)).value_or(no_number);
+    }
+    [[nodiscard]] std::string word(const std::string& column) const { return cells_.at(column); }
 
-    /// The text of its cell in a column.
+    /// What a table has of it.
     /// @param digits of a number that is not a whole one
-    /// @throws RunError if it is a word for a number, or a number for a word
-    [[nodiscard]] std::string text(const Column& column, int digits) const;
-
-    /// Those of all its cells.
-    /// @throws RunError also if it has a cell that no column has
+    /// @throws RunError if it has a cell that no column has
     [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
 
 private:
-    std::map<std::string, Cell> cells_;
+    [[nodiscard]] std::string text(const Column& column, int digits) const;
+
+    std::map<std::string, std::string> cells_;
 };
 
 using Rows = std::vector<Row>;
