@@ -9,7 +9,7 @@
 #include "drape/base/stopwatch.h"
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/states.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
-#include "lab/measure/states.h"
 
 namespace drape {
 namespace {
