@@ -2,7 +2,6 @@
 # caption: steps: left is more exact, down is cheaper. The order is fitted to the finest points.
 # A work-precision diagram: a panel for each family of methods, a line for each method, a point for each step.
 # scene; order_METHOD where one was found
-eval paper(900)
 families = 'explicit implicit positional'
 explicit = 'explicit_euler symplectic_euler velocity_verlet rk4 dormand_prince'
 implicit = 'backward_euler implicit_midpoint_clamped implicit_midpoint_exact bdf2_clamped bdf2_exact'
@@ -16,6 +15,8 @@ noted(method, error, cost) = (points = points + 1, methods = listed(methods, met
   least_cost = least(least_cost, cost), most_cost = most(most_cost, cost), \
   particles = column('particles'), stiffness = column('stiffness_N_per_m'), 0)
 stats table using (@here ? noted(strcol('method'), column('error'), column('cost_s_per_s')) : 0) nooutput
+if (points == 0) { exit status 3 }
+eval paper(900)
 # The Pareto front: points that no other one beats in both numbers
 array errors[points]; array costs[points]
 points = 0

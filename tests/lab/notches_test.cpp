@@ -8,7 +8,7 @@
 #include "drape/base/input_error.h"
 #include "drape/model/energy.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/states.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
-#include "lab/measure/states.h"
+#include "lab/measure/methods.h"
 #include "lab/measure/statistics.h"
 #include "lab/precision/precision.h"
 #include "support/input_errors.h"

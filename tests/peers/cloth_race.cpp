@@ -16,7 +16,7 @@
 #include "drape/base/input_error.h"
 #include "drape/integrate/integrator.h"
 #include "drape/model/stencils.h"
-#include "lab/measure/states.h"
+#include "lab/measure/methods.h"
 #include "runner.h"
 
 namespace drape::peers {

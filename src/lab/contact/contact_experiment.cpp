@@ -220,7 +220,7 @@ Experiment contact_experiment() {
              whole_column("reference_triangles", 1), number_column("reference_penetration_m")},
             {{"search", "tests", "speed_m_per_s", "passed"},
              {"step_s", "missed_contacts", "left_m", "momentum_error", "cpu_s_per_s"}},
-            {{"", contact_cases, charts_of({{.name = "contact"}})}}};
+            {{"", contact_cases, {{"contact"}}}}};
 }
 
 }  // namespace drape

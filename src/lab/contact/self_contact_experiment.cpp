@@ -204,7 +204,7 @@ Experiment self_contact_experiment() {
              number_column("rejected"), number_column("cpu_s_per_s").with_quartiles()},  // time for a simulated second
             {{"thickness_m", "step_s", "fail_safe"},
              {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
-            {{"", self_contact_cases, charts_of({{.name = "self_contact"}})}}};
+            {{"", self_contact_cases, {{"self_contact"}}}}};
 }
 
 }  // namespace drape

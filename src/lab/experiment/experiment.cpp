@@ -37,12 +37,10 @@ std::string allowed_in(const Column& column) {
 }
 
 /// Words stand for themselves but for "none", numbers with the names of their columns.
-std::string label_of(const Experiment& experiment, const Row& row) {
+std::string label_of(const Summary& summary, const Row& row) {
     std::vector<std::string> parts;
-    for (const std::string& column : experiment.summary.by) {
-        const auto found = std::ranges::find(experiment.columns, column, &Column::name);
-        DRAPE_ASSERT(found != experiment.columns.end());
-        const std::string cell = row.text(*found, experiment.digits);
+    for (const std::string& column : summary.by) {
+        const std::string cell = row.word(column);
         const auto number = parse_real(cell);
         if (cell.empty() || cell == "none" || (number && std::isnan(*number))) continue;
         parts.push_back(number ? column + " " + cell : cell);
@@ -89,11 +87,12 @@ std::string flaw_of(const Columns& columns, const TableRow& row) {
 }
 
 void Row::set(const std::string& column, const Cell& cell) {
-    cells_.insert_or_assign(column, cell);
     if (const auto* quartiles = std::get_if<Quartiles>(&cell)) {
         set(column, quartiles->median);
         set(quartile_name(column, "_lower"), quartiles->lower);
         set(quartile_name(column, "_upper"), quartiles->upper);
+    } else {
+        cells_.insert_or_assign(column, std::get<std::string>(cell));
     }
 }
 
@@ -104,14 +103,11 @@ void Row::set(const Row& other) {
 std::string Row::text(const Column& column, int digits) const {
     const auto found = cells_.find(column.name);
     const bool is_word = column.kind == Column::Kind::Word;
-    const Cell cell = found != cells_.end() ? found->second : is_word ? Cell("none") : Cell(no_number);
-    if (is_word != std::holds_alternative<std::string>(cell)) {
-        throw RunError("a row's cell for '" + column.name + "' is not of the kind of its column");
-    }
-    if (is_word) return std::get<std::string>(cell);
-    const double number = std::get<double>(cell);
-    if (std::isnan(number) && has_word(column, "")) return "";
-    return real_text(number, column.kind == Column::Kind::Whole ? 17 : digits);
+    const std::string cell = found != cells_.end() ? found->second : is_word ? "none" : "nan";
+    const auto number = parse_real(cell);
+    if (is_word || !number) return cell;
+    if (std::isnan(*number) && has_word(column, "")) return "";
+    return real_text(*number, column.kind == Column::Kind::Whole ? 17 : digits);
 }
 
 TableRow Row::texts(const Columns& columns, int digits) const {
@@ -124,27 +120,17 @@ TableRow Row::texts(const Columns& columns, int digits) const {
     return texts;
 }
 
-Rows rows_with(Rows rows, const char* column, const std::string& word) {
+Rows rows_with(Rows rows, const std::string& column, const std::string& word) {
     std::erase_if(rows, [&](const Row& row) { return row.word(column) != word; });
     return rows;
 }
 
-std::vector<std::string> words_of(const Rows& rows, const char* column) {
+std::vector<std::string> words_of(const Rows& rows, const std::string& column) {
     std::vector<std::string> words;
     for (const Row& row : rows) {
         if (std::ranges::find(words, row.word(column)) == words.end()) words.push_back(row.word(column));
     }
     return words;
-}
-
-ChartsOfRows charts_by(const char* column, const char* script) {
-    return [column, script](const Rows& rows) {
-        std::vector<Chart> charts;
-        for (const std::string& word : words_of(rows, column)) {
-            charts.push_back({.name = script + ("_" + word), .values = {{column, word}}, .script = script});
-        }
-        return charts;
-    };
 }
 
 ExperimentCases Experiment::cases(bool quick) const {
@@ -167,7 +153,18 @@ std::vector<Chart> Experiment::charts(const Rows& rows) const {
     std::vector<Chart> all;
     for (const ExperimentPart& part : parts) {
         const Rows own = part.name.empty() ? rows : rows_with(rows, "part", part.name);
-        if (!own.empty() && part.charts) std::ranges::move(part.charts(own), std::back_inserter(all));
+        if (part.charts_by.empty()) {
+            if (!own.empty()) std::ranges::copy(part.charts, std::back_inserter(all));
+            continue;
+        }
+        for (const std::string& word : words_of(own, part.charts_by)) {
+            for (Chart chart : part.charts) {
+                chart.script = std::exchange(chart.name, chart.name + "_" + word);
+                chart.values[part.charts_by] = word;
+                if (chart.complete) chart.complete(chart, rows_with(own, part.charts_by, word));
+                all.push_back(chart);
+            }
+        }
     }
     return all;
 }
@@ -176,7 +173,7 @@ std::string summary_of(const Experiment& experiment, const Rows& rows) {
     std::vector<std::string> names;
     std::map<std::string, Rows> groups;
     for (const Row& row : rows) {
-        const std::string name = label_of(experiment, row);
+        const std::string name = label_of(experiment.summary, row);
         if (!groups.contains(name)) names.push_back(name);
         groups[name].push_back(row);
     }

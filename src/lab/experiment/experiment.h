@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "drape/base/enum_names.h"
+#include "drape/base/numbers.h"
 #include "lab/measure/statistics.h"
 
 namespace drape {
@@ -77,11 +78,12 @@ using TableRow = std::vector<std::string>;
 /// @param row as many cells as there are columns
 std::string flaw_of(const Columns& columns, const TableRow& row);
 
-/// What a row has in a column: a number, a word, or a median and its quartiles, which are cells of their own.
-struct Cell : std::variant<double, std::string, Quartiles> {
+/// What a row has in a column: a word, all digits of a number, or a median and its quartiles, which are cells of their
+/// own.
+struct Cell : std::variant<std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
-        : variant(static_cast<double>(number)) {}
+        : variant(real_text(static_cast<double>(number))) {}
     template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
     Cell(const char* word) : variant(word) {}
@@ -102,27 +104,28 @@ public:
     /// Sets the cells that another row has.
     void set(const Row& other);
 
+    /// What it has in a column, as a number and as it is.
     /// @throws std::out_of_range if the row has no cell there
-    [[nodiscard]] double number(const std::string& column) const { return std::get<double>(cells_.at(column)); }
-    [[nodiscard]] std::string word(const std::string& column) const { return std::get<std::string>(cells_.at(column)); }
+    [[nodiscard]] double number(const std::string& column) const {
+        return parse_real(word(column)).value_or(no_number);
+    }
+    [[nodiscard]] std::string word(const std::string& column) const { return cells_.at(column); }
 
-    /// The text of its cell in a column.
+    /// What a table has of it.
     /// @param digits of a number that is not a whole one
-    /// @throws RunError if it is a word for a number, or a number for a word
-    [[nodiscard]] std::string text(const Column& column, int digits) const;
-
-    /// Those of all its cells.
-    /// @throws RunError also if it has a cell that no column has
+    /// @throws RunError if it has a cell that no column has
     [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
 
 private:
-    std::map<std::string, Cell> cells_;
+    [[nodiscard]] std::string text(const Column& column, int digits) const;
+
+    std::map<std::string, std::string> cells_;
 };
 
 using Rows = std::vector<Row>;
 
 /// Rows that have a word in a column.
-Rows rows_with(Rows rows, const char* column, const std::string& word);
+Rows rows_with(Rows rows, const std::string& column, const std::string& word);
 
 /// The names of some items, for a column of words.
 template <class Items, class Name>
@@ -133,7 +136,7 @@ std::vector<std::string> names_in(const Items& items, Name name) {
 }
 
 /// The words that rows have in a column, each once, in the order in which they come.
-std::vector<std::string> words_of(const Rows& rows, const char* column);
+std::vector<std::string> words_of(const Rows& rows, const std::string& column);
 
 /// A picture of a table, drawn by gnuplot from an installed script.
 struct Chart {
@@ -144,6 +147,8 @@ struct Chart {
     std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
     std::string caption = {};                  ///< under the picture, after what the script's head says of it
+    /// Adds values and a caption that follow from the rows of its word, where there is a chart a word.
+    std::function<void(Chart&, const Rows& rows)> complete = {};
 };
 
 /// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
@@ -151,27 +156,20 @@ struct Chart {
 /// @throws RunError if there is any other
 std::string assignments_of(const Chart& chart);
 
-/// What is drawn of some rows of a table.
-using ChartsOfRows = std::function<std::vector<Chart>(const Rows& rows)>;
-
-/// Some charts, whatever the rows are. A script that finds nothing to draw makes no picture.
-inline ChartsOfRows charts_of(std::vector<Chart> charts) {
-    return [charts = std::move(charts)](const Rows&) { return charts; };
-}
-
-/// A chart SCRIPT_WORD for each word that rows have in a column, which is the script's variable of that name.
-ChartsOfRows charts_by(const char* column, const char* script);
-
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
 using ExperimentCases = std::vector<ExperimentCase>;
 
-/// Some cases, and what is drawn of their rows where there are any. A share may have none.
+/// Some cases, and what is drawn of their rows where there are any. A share may have none, and a script that finds
+/// nothing to draw makes no picture.
 struct ExperimentPart {
     /// Written to column `part` of its rows; empty if it is the only part and there is no such column.
     std::string name;
     std::function<ExperimentCases(bool quick)> cases;
-    ChartsOfRows charts;  ///< {}: none
+    std::vector<Chart> charts;
+    /// Each chart is drawn as NAME_WORD for each word that rows have in this column, which is the script's variable of
+    /// that name; empty: once.
+    std::string charts_by = {};
 };
 
 /// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,

@@ -65,16 +65,6 @@ std::string columns_line(const Experiment& experiment) {
     return line;
 }
 
-/// @param texts without a flaw
-Row row_from(const Columns& columns, const TableRow& texts) {
-    Row row;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        const bool is_word = columns[k].kind == Column::Kind::Word;
-        row.set(columns[k].name, is_word ? Cell(texts[k]) : Cell(parse_real(texts[k]).value_or(no_number)));
-    }
-    return row;
-}
-
 /// Reads a table line after line, and checks each.
 class TableReader : LineReader {
 public:
@@ -115,7 +105,8 @@ public:
             const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
             const TableRow texts(cells.begin() + 1, cells.end());
             if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) fail("{}", flaw);
-            const Row& row = table.cases[number].emplace_back(row_from(experiment_.columns, texts));
+            Row& row = table.cases[number].emplace_back();
+            for (std::size_t k = 0; k < texts.size(); ++k) row.set(experiment_.columns[k].name, texts[k]);
             // No digit may vanish where the row is written again
             const TableRow again = row.texts(experiment_.columns, experiment_.digits);
             for (std::size_t k = 0; k < texts.size(); ++k) {

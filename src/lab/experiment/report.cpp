@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <sstream>
 
 #include "drape/base/child_program.h"
 #include "drape/base/input_error.h"
+#include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 #include "drape/base/resources.h"
@@ -17,16 +17,12 @@
 namespace drape {
 namespace {
 
-/// A text that has only letters, digits and some other characters: nothing that gnuplot or a shell would run.
-std::string checked(const std::string& text, const std::string& others) {
+/// A text that has only letters, digits and some other characters, and has any: nothing that gnuplot or a shell would
+/// run.
+std::string checked(const std::string& text, const std::string& others = "") {
     const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_" + others;
-    if (text.find_first_not_of(plain) == std::string::npos) return text;
+    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
     throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
-}
-
-std::string checked_name(const std::string& text) {
-    if (text.empty()) throw RunError("a chart's value has no name");
-    return checked(text, "");
 }
 
 std::string text_of(double number) {
@@ -36,13 +32,8 @@ std::string text_of(double number) {
 
 std::string text_of(const std::string& words) { return "'" + checked(words, " :.+-") + "'"; }
 
-std::string script_text(const std::string& name) {
-    std::ifstream script(find_resource("charts/" + name + ".gp"));
-    std::ostringstream text;
-    text << script.rdbuf();
-    if (!script) throw RunError("charts/" + name + ".gp cannot be read");
-    return text.str();
-}
+/// A shipped file of the charts: a script, or the page.
+std::string chart_file(const std::string& name) { return read_text(find_resource("charts/" + name).string()); }
 
 /// What the head of a script says that its chart shows, in lines that begin with a mark; then more.
 /// @param name of the script, for the message
@@ -75,13 +66,13 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
     std::string figures;
     for (Chart chart : charts) {
-        const std::string name = checked_name(chart.name), script = name + ".gnuplot";
+        const std::string name = checked(chart.name), script = name + ".gnuplot";
         chart.values.insert({{"name", name}, {"table", table.filename().string()}});
-        const std::string own_name = chart.script.empty() ? name : chart.script, own = script_text(own_name);
+        const std::string own_name = chart.script.empty() ? name : chart.script, own = chart_file(own_name + ".gp");
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
                       << assignments_of(chart) << '\n'
-                      << script_text("common") << '\n'
+                      << chart_file("common.gp") << '\n'
                       << own << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
         file.close();
         const auto code = run_child({"gnuplot", "--default-settings", script}, folder);
@@ -100,38 +91,24 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     return figures;
 }
 
-constexpr const char* style =
-    "body{font:16px/1.5 'DejaVu Sans',sans-serif;color:#222;max-width:72rem;margin:2rem auto;padding:0 1rem}"
-    "h1{font-size:1.5rem}figure{margin:2.5rem 0}img{max-width:100%;height:auto;border:1px solid #ddd}"
-    "figcaption{max-width:50rem;color:#444}pre{overflow-x:auto;background:#f6f6f6;padding:1rem;font-size:.85rem}"
-    "dl{display:grid;grid-template-columns:max-content auto;gap:.1rem 1.5rem;font-size:.85rem}dd{margin:0}";
-
 /// Question, charts with captions, what was found, and where it is from.
 void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
                        const std::string& summary, const std::filesystem::path& table) {
-    std::string lines;
+    std::string origin;
     for (const char* line : head_lines) {
-        lines += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
+        origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
     }
+    const std::map<std::string, std::string> parts{
+        {"name", experiment.name}, {"question", escaped(experiment.question)},
+        {"figures", figures},      {"summary", escaped(summary)},
+        {"origin", origin},        {"table", escaped(table.filename().string())}};
     OutputFile file((table.parent_path() / "index.html").string());
-    file.stream() << fmt::format(
-        R"(<!doctype html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>Drape: {0}</title>
-<style>{1}</style>
-<h1>{0}: {2}</h1>
-{3}<h2>What was found</h2>
-<pre>{4}</pre>
-<h2>Where it is from</h2>
-<dl>
-{5}<dt>table</dt><dd><a href="{6}">{6}</a></dd>
-</dl>
-</html>
-)",
-        experiment.name, style, escaped(experiment.question), figures, escaped(summary), lines,
-        escaped(table.filename().string()));
+    std::istringstream page(chart_file("page.html"));
+    // The name of a part stands between two '$'
+    for (std::string text, part; std::getline(page, text, '$');) {
+        file.stream() << text;
+        if (std::getline(page, part, '$')) file.stream() << parts.at(part);
+    }
     file.close();
 }
 
@@ -140,7 +117,7 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
 std::string assignments_of(const Chart& chart) {
     std::string text;
     for (const auto& [name, value] : chart.values) {
-        text += checked_name(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
+        text += checked(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
     }
     return text;
 }

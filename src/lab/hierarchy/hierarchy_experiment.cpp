@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <set>
 #include <utility>
 
@@ -17,24 +16,15 @@
 namespace drape {
 namespace {
 
-/// What cases record is kept for the others of the same program.
-using SharedMotions = std::shared_ptr<Motions>;
-
 using Hierarchies = std::vector<BroadPhaseParameters>;
 
 constexpr double frame_time = 1.0 / 60;  // at about the rate of a screen [s]
 
-/// A scene whose motion is recorded, from shortly before cloth and ball meet.
-struct HierarchyScene {
-    const char* name;
-    double from;  ///< [s]
-};
-constexpr HierarchyScene hierarchy_scenes[] = {{"drop", 0.1}, {"two_corners", 0.2}, {"curtain", 0.8}};
-
+/// The scenes whose motion is recorded, from shortly before cloth and ball meet.
 std::vector<MotionWanted> scene_motions(int frames) {
-    std::vector<MotionWanted> wanted;
-    for (const HierarchyScene& scene : hierarchy_scenes) wanted.push_back({scene.name, scene.from, frame_time, frames});
-    return wanted;
+    return {{"drop", 0.1, frame_time, frames},
+            {"two_corners", 0.2, frame_time, frames},
+            {"curtain", 0.8, frame_time, frames}};
 }
 
 /// Particles along a side of the larger cloth on which time is set against accuracy; the charts' scripts know it, too.
@@ -65,10 +55,10 @@ Hierarchies with_every_update(BroadPhaseParameters parameters) {
 /// A case for each motion and each list of hierarchies, which it measures there one after the other.
 /// @param add_rows(motion, parameters, rows) about one of them
 template <class AddRows>
-ExperimentCases cases_of(const SharedMotions& motions, const std::vector<MotionWanted>& wanted,
-                         const std::vector<Hierarchies>& lists, const AddRows& add_rows) {
+ExperimentCases cases_of(const std::vector<MotionWanted>& wanted, const std::vector<Hierarchies>& lists,
+                         const AddRows& add_rows) {
     const auto run = [=](const MotionWanted& one, const Hierarchies& hierarchies) {
-        const RecordedMotion motion = motions->find(one);
+        const RecordedMotion motion = find_motion(one);
         Rows rows;
         for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
         return rows;
@@ -110,7 +100,7 @@ int some_frames(const RecordedMotion& motion) { return std::max(1, static_cast<i
 
 /// Time of a frame against false candidates, nodes visited and tightness: volume, sphere fit, update and leaf size on
 /// three scenes.
-ExperimentCases fits(bool quick, const SharedMotions& motions) {
+ExperimentCases fits(bool quick) {
     using enum SphereFit;
     using enum VolumeKind;
     Hierarchies kinds;
@@ -137,7 +127,7 @@ ExperimentCases fits(bool quick, const SharedMotions& motions) {
         finer.side = resampled_side;
         wanted.push_back(finer);
     }
-    return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
+    return cases_of(wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
         const RunPlan plan{.repeats = quick ? 3 : 7, .tightness_every = some_frames(motion)};
         add_row(motion, parameters, plan, rows);
     });
@@ -145,7 +135,7 @@ ExperimentCases fits(bool quick, const SharedMotions& motions) {
 
 /// The same level by level: what a search knows that ends at a level, and what it has cost. One search a level, each on
 /// a tree of its own: it ends there, and what it visited more than the one before it is the level's.
-ExperimentCases levels(bool quick, const SharedMotions& motions) {
+ExperimentCases levels(bool quick) {
     std::vector<Hierarchies> lists = families(4, 1);
     lists.push_back(Hierarchies{{.leaf_cells = 1, .sphere_fit = SphereFit::Welzl}});
     lists.push_back(Hierarchies{{.update = UpdateKind::Merge, .leaf_cells = 1}});
@@ -164,7 +154,7 @@ ExperimentCases levels(bool quick, const SharedMotions& motions) {
                      {"visited", visited - std::exchange(visited_above, visited)}});
         }
     };
-    return cases_of(motions, scene_motions(quick ? 40 : 120), lists, add_rows);
+    return cases_of(scene_motions(quick ? 40 : 120), lists, add_rows);
 }
 
 /// Simulates a scene with one hierarchy.
@@ -206,11 +196,12 @@ std::vector<SearchLimit> limits(const Grid& grid, int leaf_cells, bool quick) {
 }
 
 /// What a search with a budget lets through and invents while the scene is simulated with it.
-ExperimentCases budgets(bool quick, const SharedMotions& motions) {
+ExperimentCases budgets(bool quick) {
     const auto add_rows = [quick](const RecordedMotion& motion, BroadPhaseParameters parameters, Rows& rows) {
         // Long enough for the ball to be well in the cloth
-        const HierarchyScene& scene = *std::ranges::find(hierarchy_scenes, motion.scene, &HierarchyScene::name);
-        const double time = scene.from + (quick ? 0.4 : 1.0);
+        const auto scenes = scene_motions(1);
+        const double from = std::ranges::find(scenes, motion.scene, &MotionWanted::scene)->from;
+        const double time = from + (quick ? 0.4 : 1.0);
         Points full, x;
         simulate(motion.scene, parameters, time, full);
         for (const SearchLimit& limit : limits(motion.grid, parameters.leaf_cells, quick)) {
@@ -223,7 +214,7 @@ ExperimentCases budgets(bool quick, const SharedMotions& motions) {
             row.set("distance_m", static_cast<double>((x - full).norm()) / std::sqrt(row.number("particles")));
         }
     };
-    return cases_of(motions, scene_motions(quick ? 40 : 120), families(quick ? 1 : 4, 4), add_rows);
+    return cases_of(scene_motions(quick ? 40 : 120), families(quick ? 1 : 4, 4), add_rows);
 }
 
 /// The part of the particles that has moved farther than a distance since the frame before.
@@ -233,17 +224,17 @@ double moved_part(const RecordedMotion& motion, std::size_t frame, Real distance
 }
 
 /// Between frames: from one step of the scene on, a number of steps [s].
-std::set<double> intervals(const HierarchyScene& scene, bool quick) {
+std::set<double> intervals(const std::string& scene, bool quick) {
     const auto wanted =
         quick ? std::vector{0.0, 1.6e-3, frame_time} : std::vector{0.0, 6e-4, 1.6e-3, 5e-3, frame_time, 0.05};
-    const double dt = load_scene(scene.name).solver.dt;
+    const double dt = load_scene(scene).solver.dt;
     std::set<double> whole;
     for (const double interval : wanted) whole.insert(std::max(std::round(interval / dt), 1.0) * dt);
     return whole;
 }
 
 /// What the updates have cost in all, frame by frame, at several intervals between frames.
-ExperimentCases break_evens(bool quick, const SharedMotions& motions) {
+ExperimentCases break_evens(bool quick) {
     const auto add_rows = [quick](const RecordedMotion& motion, const BroadPhaseParameters& family, Rows& rows) {
         std::map<UpdateKind, std::vector<FrameRun>> runs;
         for (const BroadPhaseParameters& parameters : with_every_update(family)) {
@@ -268,21 +259,22 @@ ExperimentCases break_evens(bool quick, const SharedMotions& motions) {
         }
     };
     ExperimentCases cases;
-    for (const HierarchyScene& scene : hierarchy_scenes) {
+    for (MotionWanted one : scene_motions(quick ? 31 : 61)) {
+        one.side = 64;  // so many particles that the hierarchy is worth its while
         std::vector<MotionWanted> wanted;
-        // So many particles that the hierarchy is worth its while
-        for (const double interval : intervals(scene, quick)) {
-            wanted.push_back({scene.name, scene.from, interval, quick ? 31 : 61, 64});
+        for (const double interval : intervals(one.scene, quick)) {
+            one.interval = interval;
+            wanted.push_back(one);
         }
         for (const Hierarchies& family : families(quick ? 2 : 4, 4)) {
-            std::ranges::move(cases_of(motions, wanted, {family}, add_rows), std::back_inserter(cases));
+            std::ranges::move(cases_of(wanted, {family}, add_rows), std::back_inserter(cases));
         }
     }
     return cases;
 }
 
 /// Cost against the number of particles, on a motion resampled.
-ExperimentCases sizes(bool quick, const SharedMotions& motions) {
+ExperimentCases sizes(bool quick) {
     std::vector<MotionWanted> wanted;
     // Few frames, so that they can be held at any size: the ball is in the middle of the curtain
     for (const int side : quick ? std::vector{16, 32, 64, 128, 256} : std::vector{16, 32, 64, 128, 256, 512, 1024}) {
@@ -290,7 +282,7 @@ ExperimentCases sizes(bool quick, const SharedMotions& motions) {
     }
     std::vector<Hierarchies> lists{Hierarchies{{.volume = VolumeKind::Brute}}};
     for (const VolumeKind family : volume_families) lists.push_back(with_every_update({.volume = family}));
-    return cases_of(motions, wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
+    return cases_of(wanted, lists, [quick](const auto& motion, const auto& parameters, Rows& rows) {
         add_row(motion, parameters, {.repeats = motion.grid.nx <= 128 ? 15 : quick ? 3 : 7}, rows);
     });
 }
@@ -308,19 +300,11 @@ std::string bytes_of_nodes() {
 }  // namespace
 
 Experiment hierarchy_experiment() {
-    const auto motions = std::make_shared<Motions>();
-    const auto with_motions = [motions](const auto& cases) {
-        return [motions, cases](bool quick) { return cases(quick, motions); };
-    };
-    const std::vector<Chart> fit_charts{{.name = "hierarchy_fit"},
-                                        {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
-                                        {.name = "hierarchy_storage", .values = {{"bytes", bytes_of_nodes()}}},
-                                        {.name = "hierarchy_spheres"}};
     return {"hierarchy",
             "what does a tighter hierarchy cost, and what does it save?",
             8,
             {word_column("part", {"fit", "level", "budget", "break_even", "size"}),
-             word_column("scene", names_in(hierarchy_scenes, &HierarchyScene::name)), name_column<VolumeKind>("volume"),
+             word_column("scene", names_in(scene_motions(1), &MotionWanted::scene)), name_column<VolumeKind>("volume"),
              name_column<SphereFit>("sphere_fit", {"none"}), name_column<UpdateKind>("update"),
              whole_column("particles", 4),
              whole_column("leaf_cells"),      // 0: as measured to be fastest
@@ -349,11 +333,16 @@ Experiment hierarchy_experiment() {
              number_column("distance_m").or_nan()},  // RMS of the particles from those of the full search, at the end
             {{"part", "scene", "particles", "volume"},
              {"whole_s", "false_per_true", "tightness", "missed_penetration_m", "cumulative_s_over_rebuild_s"}},
-            {{"fit", with_motions(fits), charts_of(fit_charts)},
-             {"level", with_motions(levels), charts_by("scene", "hierarchy_level")},
-             {"budget", with_motions(budgets), charts_of({{.name = "hierarchy_budget"}})},
-             {"break_even", with_motions(break_evens), charts_by("scene", "hierarchy_break_even")},
-             {"size", with_motions(sizes), charts_of({{.name = "hierarchy_size"}})}}};
+            {{"fit",
+              fits,
+              {{"hierarchy_fit"},
+               {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
+               {.name = "hierarchy_storage", .values = {{"bytes", bytes_of_nodes()}}},
+               {"hierarchy_spheres"}}},
+             {"level", levels, {{"hierarchy_level"}}, "scene"},
+             {"budget", budgets, {{"hierarchy_budget"}}},
+             {"break_even", break_evens, {{"hierarchy_break_even"}}, "scene"},
+             {"size", sizes, {{"hierarchy_size"}}}}};
 }
 
 }  // namespace drape

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -43,77 +45,25 @@ double clock_cost() {
     return quartiles_of(costs).median;
 }
 
-/// Follows one motion with one hierarchy.
-class Follower {
-public:
-    Follower(const RecordedMotion& motion, BroadPhase& hierarchy) : motion_(motion), hierarchy_(hierarchy) {
-        list_all_cells(motion.grid, all_cells_);
+/// Ends the run where a search and brute force do not find the same triangles. Where the search has ended early, the
+/// nodes that it has not opened must hold what it has not found.
+/// @param triangles, expected ascending
+void demand_the_same(const RecordedMotion& motion, std::size_t frame, std::span<const StoppedNode> stopped,
+                     const std::vector<int>& triangles, const std::vector<int>& expected) {
+    std::vector<int> differing;
+    std::ranges::set_symmetric_difference(triangles, expected, std::back_inserter(differing));
+    for (const int triangle : differing) {
+        const bool was_found = std::ranges::binary_search(triangles, triangle);
+        const bool touches = std::ranges::binary_search(expected, triangle);
+        const int cell = triangle / 2, columns = motion.grid.cell_columns();
+        const auto holds = [=](const StoppedNode& node) { return node.holds(cell % columns, cell / columns); };
+        if (!was_found && std::ranges::any_of(stopped, holds)) continue;
+        throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion.scene, frame, triangle,
+                                   !was_found ? "touches the ball, and the search has missed it"
+                                   : touches  ? "was found twice"
+                                              : "was found, but brute force finds that it is free"));
     }
-
-    /// One frame, and whether brute force finds the same.
-    FrameRun check(std::size_t frame) {
-        hierarchy_.build(motion_.x[frame]);
-        const TraversalStats stats = hierarchy_.query(motion_.balls[frame], found_);
-        test(frame, found_.cells, triangles_);
-        test(frame, all_cells_, expected_);
-        std::ranges::sort(triangles_);
-        demand_the_same(frame);
-        std::int64_t candidates = stats.candidates, touching = 0;
-        for (const StoppedNode& node : found_.stopped) candidates += node.cells();
-        for (std::size_t k = 0; k < expected_.size(); ++k) {
-            if (k == 0 || expected_[k] / 2 != expected_[k - 1] / 2) ++touching;
-        }
-        return {.counts = {{"nodes", stats.nodes},
-                           {"visited", stats.visited},
-                           {"candidates", candidates},
-                           {"touching", touching}},
-                .slack = hierarchy_.slack()};
-    }
-
-    Row time(std::size_t frame) {
-        const auto seconds = [this](int runs, const auto& work) {
-            return std::max(cpu_time_of(work, runs) - clock_cost_ / runs, 0.0);
-        };
-        const double build = seconds(1, [&] { hierarchy_.build(motion_.x[frame]); });
-        const double query = seconds(queries_in_a_row, [&] { hierarchy_.query(motion_.balls[frame], found_); });
-        const double exact = seconds(queries_in_a_row, [&] { test(frame, found_.cells, triangles_); });
-        return {{"build_s", build}, {"query_s", query}, {"exact_s", exact}, {"whole_s", build + query + exact}};
-    }
-
-private:
-    void test(std::size_t frame, std::span<const CellRun> cells, std::vector<int>& triangles) const {
-        find_touched_triangles(motion_.grid, motion_.x[frame], motion_.balls[frame], 0, cells, triangles,
-                               Kernels::Vector);
-    }
-
-    /// Where the search has ended early, the nodes that it has not opened must hold what it has not found.
-    void demand_the_same(std::size_t frame) const {
-        const auto disagree = [&](int triangle, const char* how) {
-            throw RunError(fmt::format("{}, frame {}: triangle {} {}", motion_.scene, frame, triangle, how));
-        };
-        std::vector<int> invented, missed;
-        std::ranges::set_difference(triangles_, expected_, std::back_inserter(invented));
-        std::ranges::set_difference(expected_, triangles_, std::back_inserter(missed));
-        for (const int triangle : invented) {
-            const bool touches = std::ranges::binary_search(expected_, triangle);
-            disagree(triangle, touches ? "was found twice" : "was found, but brute force finds that it is free");
-        }
-        const int columns = motion_.grid.cell_columns();
-        for (const int triangle : missed) {
-            const int cell = triangle / 2;
-            const auto holds = [&](const StoppedNode& node) { return node.holds(cell % columns, cell / columns); };
-            if (std::ranges::any_of(found_.stopped, holds)) continue;
-            disagree(triangle, "touches the ball, and the search has missed it");
-        }
-    }
-
-    const RecordedMotion& motion_;
-    BroadPhase& hierarchy_;
-    const double clock_cost_ = clock_cost();
-    std::vector<CellRun> all_cells_;
-    Candidates found_;
-    std::vector<int> triangles_, expected_;
-};
+}
 
 }  // namespace
 
@@ -146,8 +96,9 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     return motion;
 }
 
-RecordedMotion Motions::find(const MotionWanted& wanted) {
-    RecordedMotion& recorded = recorded_[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
+RecordedMotion find_motion(const MotionWanted& wanted) {
+    static std::map<std::tuple<std::string, double, double, int>, RecordedMotion> all;
+    RecordedMotion& recorded = all[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
     if (recorded.x.empty()) recorded = record_motion(wanted, load_scene(wanted.scene));
     RecordedMotion motion = recorded;
     if (wanted.side == 0) return motion;
@@ -183,17 +134,48 @@ Tightness over_levels(const std::vector<Tightness>& levels) {
 }
 
 HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan) {
-    Follower follower(motion, hierarchy);
+    std::vector<CellRun> all_cells;
+    list_all_cells(motion.grid, all_cells);
+    Candidates found;
+    std::vector<int> triangles, expected;
+    const auto test = [&motion](std::size_t frame, std::span<const CellRun> cells, std::vector<int>& touched) {
+        find_touched_triangles(motion.grid, motion.x[frame], motion.balls[frame], 0, cells, touched, Kernels::Vector);
+    };
     HierarchyRun run{.frames = {}, .levels = std::vector<Tightness>(static_cast<std::size_t>(hierarchy.levels()))};
     for (std::size_t k = 0; k < motion.x.size(); ++k) {
-        FrameRun& frame = run.frames.emplace_back(follower.check(k));
+        hierarchy.build(motion.x[k]);
+        const TraversalStats stats = hierarchy.query(motion.balls[k], found);
+        test(k, found.cells, triangles);
+        test(k, all_cells, expected);
+        std::ranges::sort(triangles);
+        demand_the_same(motion, k, found.stopped, triangles, expected);
+        std::int64_t candidates = stats.candidates, touching = 0;
+        for (const StoppedNode& node : found.stopped) candidates += node.cells();
+        for (std::size_t t = 0; t < expected.size(); ++t) {
+            if (t == 0 || expected[t] / 2 != expected[t - 1] / 2) ++touching;
+        }
+        FrameRun& frame = run.frames.emplace_back(FrameRun{.counts = {{"nodes", stats.nodes},
+                                                                      {"visited", stats.visited},
+                                                                      {"candidates", candidates},
+                                                                      {"touching", touching}},
+                                                           .slack = hierarchy.slack()});
         if (plan.tightness_every == 0 || k % static_cast<std::size_t>(plan.tightness_every) != 0) continue;
         const std::vector<Tightness> levels = tightness_of(hierarchy, motion.grid, motion.x[k]);
         frame.tightness = over_levels(levels);
         for (std::size_t level = 0; level < levels.size(); ++level) run.levels[level] += levels[level];
     }
+    const double clock = clock_cost();
+    const auto seconds = [clock](int runs, const auto& work) {
+        return std::max(cpu_time_of(work, runs) - clock / runs, 0.0);
+    };
     for (int repeat = 0; repeat < plan.repeats; ++repeat) {
-        for (std::size_t k = 0; k < motion.x.size(); ++k) run.frames[k].times.push_back(follower.time(k));
+        for (std::size_t k = 0; k < motion.x.size(); ++k) {
+            const double build = seconds(1, [&] { hierarchy.build(motion.x[k]); });
+            const double query = seconds(queries_in_a_row, [&] { hierarchy.query(motion.balls[k], found); });
+            const double exact = seconds(queries_in_a_row, [&] { test(k, found.cells, triangles); });
+            run.frames[k].times.push_back(
+                {{"build_s", build}, {"query_s", query}, {"exact_s", exact}, {"whole_s", build + query + exact}});
+        }
     }
     return run;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <map>
 #include <span>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
@@ -30,7 +28,7 @@ struct MotionWanted {
     double from = 0;      ///< simulated time of the first frame [s]
     double interval = 0;  ///< from frame to frame [s]; the nearest whole number of the scene's steps, at least one
     int frames = 1;
-    int side = 0;  ///< particles along each side, to which `Motions` resample it; 0: as the scene has them
+    int side = 0;  ///< particles along each side, to which `find_motion` resamples it; 0: as the scene has them
 };
 
 /// Simulates a scene and keeps frames of its first cloth and first ball, as they are under the settings.
@@ -38,16 +36,9 @@ struct MotionWanted {
 /// @throws RunError if the scene diverges on the way
 RecordedMotion record_motion(const MotionWanted& wanted, Settings settings);
 
-/// Keeps what was recorded under the scenes' own settings, for whoever wants the same again.
-class Motions {
-public:
-    /// @return the same surfaces under another number of particles, bilinearly between those that there are, if that is
-    ///         wanted
-    RecordedMotion find(const MotionWanted& wanted);
-
-private:
-    std::map<std::tuple<std::string, double, double, int>, RecordedMotion> recorded_;
-};
+/// The same under the scene's own settings, or the same surfaces under another number of particles, bilinearly between
+/// those that there are. What was recorded is kept for whoever wants these frames again.
+RecordedMotion find_motion(const MotionWanted& wanted);
 
 /// How large nodes are beside the smallest volumes of their kind about the same particles: 1 is as tight as can be.
 /// Sizes are radii of spheres, and the mean half width of other volumes between their pairs of faces; what a tree has

@@ -70,7 +70,7 @@ Experiment kernels_experiment() {
             {word_column("stage", names_in(stages, &Stage::name)), name_column<Kernels>("kernels"),
              whole_column("particles", 4), number_column("time_s").with_quartiles()},
             {{"stage", "particles", "kernels"}, {"time_s"}},
-            {{"", cases, charts_of({{.name = "kernels"}})}}};
+            {{"", cases, {{"kernels"}}}}};
 }
 
 }  // namespace drape

@@ -113,9 +113,9 @@ Experiment minimal_experiment() {
              word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"})},
             {{"part", "scene", "changed", "integrator", "outcome"},
              {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
-            {{"ladder", cases_of(run_ladder, searched), charts_by("scene", "minimal")},
+            {{"ladder", cases_of(run_ladder, searched), {{"minimal"}}, "scene"},
              {"notches", cases_of(run_notches, scenes_with_needs()), {}},
-             {"budget", cases_of(run_budget, searched), charts_of({{.name = "minimal_budget"}})}}};
+             {"budget", cases_of(run_budget, searched), {{"minimal_budget"}}}}};
 }
 
 }  // namespace drape

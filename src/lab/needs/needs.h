@@ -77,9 +77,6 @@ struct Motion {
 /// Stands for: no limit.
 inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
-/// The larger of two; what is no number is larger than all, so that it is not missed.
-double larger(double a, double b);
-
 /// Runs a scene to the horizon of its needs, or until it diverges or is given up. Between two steps a moment is
 /// interpolated by a cubic of both states (Hermite's), which no second-order method feels.
 /// Cost is that of the steps alone: stretch, which is measured after each, adds a root per structural spring to the

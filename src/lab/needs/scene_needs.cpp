@@ -7,9 +7,9 @@
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/base/stopwatch.h"
-#include "drape/model/energy.h"
+#include "drape/model/stretch_limit.h"
 #include "drape/sim/simulation.h"
-#include "lab/measure/states.h"
+#include "lab/measure/methods.h"
 
 namespace drape {
 namespace {
@@ -29,6 +29,9 @@ double spread(const Points& x) {
     return std::sqrt(static_cast<double>(from_centre.squaredNorm()) / static_cast<double>(x.rows()));
 }
 
+/// The larger of two; what is no number is larger than all, so that it is not missed.
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
+
 /// By how much two cloths of one grid differ at a moment [m].
 double distance(const Points& x, const Points& full, NeedsMeasure measure) {
     if (measure == NeedsMeasure::Positions) return position_error(x, full, 1);
@@ -42,8 +45,6 @@ constexpr double safe_part_of_limit = 0.9;
 constexpr double largest_own_part = 0.25;
 
 }  // namespace
-
-double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 Motion run_to_horizon(const Settings& scene, double cost_limit, const std::optional<StartState>& start_state) {
     Simulation simulation("", scene, start_state);

@@ -25,12 +25,6 @@ constexpr double frame_rate = 60;  // frames per simulated second, as drape-capt
 constexpr const char* picture_size = "640x480";
 constexpr int first_frame = 20;  // that is measured: before it the cloth comes to lie on the ball
 
-/// How much of the scene is measured.
-struct OriginalPlan {
-    int frames;
-    int passes;  ///< of the recorded frames, to time build and search
-};
-
 /// One way in which the original's scene is run.
 struct OriginalWay {
     const char* volume;
@@ -65,14 +59,16 @@ Row time_search(const std::string& prefix, const RecordedMotion& motion, const B
 }
 
 /// Measures what simulating takes, without drawing.
-Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
+/// @param count of frames
+/// @param passes of these, to time build and search
+Row time_original(const OriginalWay& way, int count, int passes) {
     Settings settings = load_scene(original_scene);
     assign_all(settings, original_assignments(way));
     const auto steps = static_cast<int>(std::lround(1 / (frame_rate * settings.solver.dt)));
 
     Simulation simulation(original_scene, settings);
     std::vector<double> frames;
-    for (int frame = 0; frame < first_frame + plan.frames; ++frame) {
+    for (int frame = 0; frame < first_frame + count; ++frame) {
         const double seconds = cpu_time_of([&] {
             for (int k = 0; k < steps; ++k) simulation.step();
         });
@@ -81,14 +77,14 @@ Row time_original(const OriginalWay& way, const OriginalPlan& plan) {
     if (simulation.report().contacts == 0) throw RunError("original: the cloth does not lie on the ball");
 
     const RecordedMotion motion =
-        record_motion({original_scene, first_frame / frame_rate, 1 / frame_rate, plan.frames}, settings);
+        record_motion({original_scene, first_frame / frame_rate, 1 / frame_rate, count}, settings);
     BroadPhaseParameters parameters = broad_phase_of(settings);
     Row row{{"volume", way.volume},
             {"bounds_drawn", way.bounds_drawn ? "1" : "0"},
             {"execution_s", quartiles_of(std::move(frames))}};
-    row.set(time_search("", motion, parameters, plan.passes));
+    row.set(time_search("", motion, parameters, passes));
     parameters.leaf_cells = 1;
-    row.set(time_search("single_", motion, parameters, plan.passes));
+    row.set(time_search("single_", motion, parameters, passes));
     return row;
 }
 
@@ -113,13 +109,13 @@ double column_median(const std::filesystem::path& file, const std::string& colum
 
 /// What `drape-capture` says of the pictures.
 /// @throws RunError if it fails, or does not say it
-Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::filesystem::path& program) {
+Row draw_original(const OriginalWay& way, int count, const std::filesystem::path& program) {
     std::string stats = (std::filesystem::temp_directory_path() / "drape-XXXXXX").string();
     const int made = mkstemp(stats.data());
     if (made < 0) throw RunError(stats + ": cannot be made");
     close(made);
     const std::shared_ptr<void> removed_at_the_end(nullptr, [&stats](void*) { unlink(stats.c_str()); });
-    const std::string frames = std::to_string(first_frame + plan.frames), rate = real_text(frame_rate);
+    const std::string frames = std::to_string(first_frame + count), rate = real_text(frame_rate);
     std::vector<std::string> words{program.string(), original_scene, "--frames", frames, "--fps", rate,
                                    "--size",         picture_size,   "--stats",  stats,  "--set"};
     for (const std::string& assignment : original_assignments(way)) words.push_back(assignment);
@@ -132,17 +128,16 @@ Row draw_original(const OriginalWay& way, const OriginalPlan& plan, const std::f
 }
 
 ExperimentCases original_cases(bool quick) {
-    const OriginalPlan plan{.frames = quick ? 12 : 40, .passes = quick ? 5 : 15};
-    const auto run = [plan, told = std::make_shared<bool>(false)] {
+    const auto run = [frames = quick ? 12 : 40, passes = quick ? 5 : 15, told = std::make_shared<bool>(false)] {
         Rows rows;
         const auto program = program_folder() / "drape-capture";
         if (!exists(program) && !std::exchange(*told, true)) {
             tell("There is no " + program.string() + ": frame rate, calls, CPU use and vertices stay empty.");
         }
         // What is compared is timed close together: the clock of a processor that others use comes and goes
-        for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, plan));
+        for (const OriginalWay& way : original_ways) rows.push_back(time_original(way, frames, passes));
         for (std::size_t k = 0; k < rows.size() && exists(program); ++k) {
-            rows[k].set(draw_original(original_ways[k], plan, program));
+            rows[k].set(draw_original(original_ways[k], frames, program));
         }
         return rows;
     };
@@ -167,7 +162,7 @@ Experiment original_experiment() {
             {{"volume", "bounds_drawn"},
              {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s", "single_build_s",
               "single_search_s"}},
-            {{"", original_cases, charts_of({{.name = "original"}})}}};
+            {{"", original_cases, {{"original"}}}}};
 }
 
 }  // namespace drape

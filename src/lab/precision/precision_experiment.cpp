@@ -17,7 +17,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
-#include "lab/measure/states.h"
 #include "lab/measure/statistics.h"
 #include "precision.h"
 
@@ -164,42 +163,37 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
     return row;
 }
 
-/// A work-precision diagram a scene.
-/// @throws RunError if small errors grow on a scene by more than `most_growth`, or its reference is not two decades
+/// Adds to a work-precision diagram the orders of its methods, and what its reference is worth.
+/// @param scene its rows
+/// @throws RunError if small errors grow on the scene by more than `most_growth`, or its reference is not two decades
 ///         better than the best point: nothing is drawn then
-std::vector<Chart> precision_charts(const Rows& rows) {
-    std::vector<Chart> charts;
-    for (const std::string& scene : words_of(rows, "scene")) {
-        Rows own = rows_with(rows, "scene", scene);
-        // They could not be drawn
-        std::erase_if(own, [](const Row& row) {
-            return row.word("end") == "bounded" && std::isnan(row.number("error") + row.number("cost_s_per_s"));
-        });
-        const Rows points = rows_with(own, "end", "bounded");
-        if (points.empty()) continue;
-        const double growth = points.front().number("growth");
-        if (!(growth <= most_growth)) {
-            throw RunError(fmt::format(
-                "precision: small errors grow {:.3g} times on the scene '{}', more than {:.3g}: no chart is drawn",
-                growth, scene, most_growth));
-        }
-        const double margin =
-            std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
-        if (!(margin >= least_margin)) {
-            throw RunError(
-                fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
-                            "the best point, less than {:.3g}: no chart is drawn",
-                            scene, margin, least_margin));
-        }
-        Chart diagram{"precision_" + scene, {{"scene", scene}}, "precision", caption_of(points.front())};
-        for (const std::string& method : words_of(own, "method")) {
-            const auto order = order_of(rows_with(own, "method", method));
-            if (order) diagram.values["order_" + method] = *order;
-        }
-        charts.push_back(diagram);
-        charts.push_back({"precision_choice_" + scene, {{"scene", scene}}, "precision_choice"});
+void complete_diagram(Chart& diagram, const Rows& scene) {
+    Rows own = scene;
+    // They could not be drawn
+    std::erase_if(own, [](const Row& row) {
+        return row.word("end") == "bounded" && std::isnan(row.number("error") + row.number("cost_s_per_s"));
+    });
+    const Rows points = rows_with(own, "end", "bounded");
+    if (points.empty()) return;
+    const std::string name = points.front().word("scene");
+    const double growth = points.front().number("growth");
+    if (!(growth <= most_growth)) {
+        throw RunError(fmt::format(
+            "precision: small errors grow {:.3g} times on the scene '{}', more than {:.3g}: no chart is drawn", growth,
+            name, most_growth));
     }
-    return charts;
+    const double margin =
+        std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
+    if (!(margin >= least_margin)) {
+        throw RunError(
+            fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
+                        "the best point, less than {:.3g}: no chart is drawn",
+                        name, margin, least_margin));
+    }
+    diagram.caption = caption_of(points.front());
+    for (const std::string& method : words_of(own, "method")) {
+        if (const auto order = order_of(rows_with(own, "method", method))) diagram.values["order_" + method] = *order;
+    }
 }
 
 ExperimentCases precision_cases(bool quick) {
@@ -291,7 +285,10 @@ Experiment precision_experiment() {
              positive_column("cost_s_per_s").or_nan(), number_column("cost_upper_s_per_s").or_nan(),
              number_column("reference_error"), number_column("growth").or_nan().or_words({"inf"})},  // of a small error
             {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
-            {{"", precision_cases, precision_charts}}};
+            {{"",
+              precision_cases,
+              {{.name = "precision", .complete = complete_diagram}, {.name = "precision_choice"}},
+              "scene"}}};
 }
 
 }  // namespace drape

@@ -144,8 +144,7 @@ Experiment responses_experiment() {
              positive_column("measured_step_s").or_nan()},
             {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
              {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
-            {{"step", step_cases, charts_of({{.name = "responses"}})},
-             {"limit", limit_cases, charts_of({{.name = "responses_limit"}})}}};
+            {{"step", step_cases, {{"responses"}}}, {"limit", limit_cases, {{"responses_limit"}}}}};
 }
 
 }  // namespace drape

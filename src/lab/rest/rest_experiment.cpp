@@ -27,41 +27,24 @@ Settings rest_settings(const char* scene, IntegratorKind integrator, ResponseKin
     return settings;
 }
 
-/// A simulation that knows how fast it has been of late.
-class RestRun {
-public:
-    RestRun(const char* scene, const Settings& settings) : simulation(scene, settings) {}
-
-    /// @return false if it has diverged
-    bool step() {
-        const double step = simulation.settings().solver.dt;
+/// Steps a simulation up to a time.
+/// @param squares of `rms_motion` in each step, of which those of the last half second are kept [m^2/s^2]
+/// @return false if it has diverged
+bool run_until(Simulation& simulation, double time, std::deque<double>& squares) {
+    const double dt = simulation.settings().solver.dt, kept = std::max(1.0, std::round(RestWatch::duration / dt));
+    while (simulation.report().time < time - dt / 2) {
         simulation.step();
-        const double speed = rms_motion(simulation.cloths(), step);
-        squares_.push_back(speed * speed);
-        const double steps = std::max(1.0, std::round(RestWatch::duration / step));
-        if (static_cast<double>(squares_.size()) > steps) squares_.pop_front();
-        return simulation.report().status != Status::Diverged;
+        const double speed = rms_motion(simulation.cloths(), dt);
+        squares.push_back(speed * speed);
+        if (static_cast<double>(squares.size()) > kept) squares.pop_front();
+        if (simulation.report().status == Status::Diverged) return false;
     }
+    return true;
+}
 
-    /// @return false if it has diverged
-    bool run_until(double time) {
-        const double end = time - simulation.settings().solver.dt / 2;
-        while (simulation.report().time < end) {
-            if (!step()) return false;
-        }
-        return true;
-    }
-
-    /// `rms_motion` of the last half second, in the mean square.
-    [[nodiscard]] double speed() const {
-        return std::sqrt(std::accumulate(squares_.begin(), squares_.end(), 0.0) / static_cast<double>(squares_.size()));
-    }
-
-    Simulation simulation;
-
-private:
-    std::deque<double> squares_;
-};
+double root_mean(const std::deque<double>& squares) {
+    return std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / static_cast<double>(squares.size()));
+}
 
 /// Runs a scene until two seconds after it would have fallen asleep, at its own step under a method that has a step
 /// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
@@ -76,20 +59,21 @@ Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind inte
     row.set("end", step < shortest ? "no_stable_step" : "diverged");
     if (step < shortest) return {row};
     row.set("step_s", step);
-    RestRun run(scene, settings);
+    Simulation simulation(scene, settings);
+    std::deque<double> squares;
     SleepWatch watch;
     const SolverSettings watched = load_scene(scene).solver;
-    const double& time = run.simulation.report().time;
+    const double& time = simulation.report().time;
     Row found{{"end", "awake"}};
     for (double end = 15; time < end;) {
-        if (!run.step()) return {row};
+        if (!run_until(simulation, time + step, squares)) return {row};
         const bool is_awake = found.word("end") == "awake";
-        if (!is_awake || !watch.look(run.simulation.cloths(), run.simulation.balls(), time, watched)) continue;
-        found = {{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", run.speed()}};
+        if (!is_awake || !watch.look(simulation.cloths(), simulation.balls(), time, watched)) continue;
+        found = {{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", root_mean(squares)}};
         end = time + 2;
     }
     row.set(found);
-    row.set("speed_after_m_per_s", run.speed());
+    row.set("speed_after_m_per_s", root_mean(squares));
     return {row};
 }
 
@@ -103,17 +87,18 @@ Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool
     settings.solver.dt = step;
     Row row{{"scene", "drop"}, {"response", response}, {"integrator", integrator}};
     row.set({{"step_s", step}, {"watched_s", seconds}, {"end", "diverged"}});
-    RestRun run("drop", settings);
-    if (!run.run_until(settle)) return {row};
-    const Points& x = run.simulation.cloths()[0].state.x;
+    Simulation simulation("drop", settings);
+    std::deque<double> squares;
+    if (!run_until(simulation, settle, squares)) return {row};
+    const Points& x = simulation.cloths()[0].state.x;
     const Points rest = x;
     double drift = 0;
     for (double watched = 0; watched < seconds;) {
         watched = std::min(watched + 1, seconds);
-        if (!run.run_until(settle + watched)) return {row};
+        if (!run_until(simulation, settle + watched, squares)) return {row};
         drift = std::max(drift, static_cast<double>((x - rest).rowwise().norm().maxCoeff()));
     }
-    row.set({{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", run.speed()}});
+    row.set({{"end", "awake"}, {"drift_m", drift}, {"speed_after_m_per_s", root_mean(squares)}});
     return {row};
 }
 

@@ -2,7 +2,6 @@
 
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
-#include "lab/measure/states.h"
 
 namespace drape {
 namespace {
@@ -115,9 +114,9 @@ Experiment solve_experiment() {
              positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
             {{"part", "method", "side", "time_s", "newton_steps"},
              {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
-            {{"tolerance", tolerance_cases, charts_of({{.name = "solve_tolerance"}})},
-             {"newton", newton_cases, charts_of({{.name = "solve_newton"}})},
-             {"size", size_cases, charts_of({{.name = "solve_size"}})}}};
+            {{"tolerance", tolerance_cases, {{"solve_tolerance"}}},
+             {"newton", newton_cases, {{"solve_newton"}}},
+             {"size", size_cases, {{"solve_size"}}}}};
 }
 
 }  // namespace drape

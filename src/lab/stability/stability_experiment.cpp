@@ -124,7 +124,7 @@ Experiment stability_experiment() {
              positive_column("step_s"), name_column<TrialEnd>("end"),
              word_column("agreement", {"agrees", "disagrees", "close"})},
             {{"method", "sweep", "agreement"}, {"expected_step_s", "measured_step_s"}},
-            {{"", stability_cases, charts_by("method", "stability")}}};
+            {{"", stability_cases, {{"stability"}}, "method"}}};
 }
 
 }  // namespace drape

@@ -83,7 +83,7 @@ Experiment steps_experiment() {
          positive_column("step_over_limit").or_nan(),  // as predicted
          positive_column("cost_s_per_s").or_nan(), word_column("end", {"held", "off", "soft", "ruined", "blew_up"})},
         {{"method", "end"}, {"step_s", "error", "stretch_excess", "cost_s_per_s"}},
-        {{"", steps_cases, charts_of({{.name = "steps"}})}}};
+        {{"", steps_cases, {{"steps"}}}}};
 }
 
 }  // namespace drape
