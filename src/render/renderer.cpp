@@ -145,7 +145,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     crosses.collect(view);
     panels.full_strain = crosses.full();
     const bool overlay = panels.build(view, camera, report, notices, width, height);
-    solids.follow(view, stream);
+    solids.follow(view);
 
     // Everything into the one buffer, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));

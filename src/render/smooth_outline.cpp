@@ -86,6 +86,8 @@ bool SmoothOutline::divide(const Edge& edge, const ClothVertex* particles, Cloth
     middle.pinned = 0;
     middle.value = (a.value + b.value) / 2;
     middle.hollow = (a.hollow + b.hollow) / 2;
+    middle.place = {(a.place[0] + b.place[0]) / 2, (a.place[1] + b.place[1]) / 2, a.place[2], a.place[3]};
+    middle.number = a.number;
     return true;
 }
 
