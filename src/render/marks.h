@@ -46,8 +46,10 @@ public:
             show_pins_ = show_pins_ || (cloth.model.inverse_mass == 0).any();
             if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
             if (!shown.bounds) continue;
-            touched_.take(cloth, *view.report);
-            append_nodes(nodes_.list(view, *cloth.hierarchy), cloth.hierarchy->slack(), touched_, bounds_);
+            const TouchedCells touched(cloth, *view.report);
+            for (const NodeView& node : shown_nodes(view, *cloth.hierarchy)) {
+                append_outline(node.volume, cloth.hierarchy->slack(), touched.state_of(node), bounds_);
+            }
         }
         if (!view.cloths.empty()) {
             const ClothModel& model = view.cloths.front().model;
@@ -232,8 +234,6 @@ private:
     Buffer spring_indices_{gl_};
     std::vector<Grid> grids_;
     Outlines bounds_;  ///< and structural springs and balls of the other simulation, and strains of cells
-    ShownNodes nodes_;
-    TouchedCells touched_;
     bool show_particles_ = false;
     bool show_pins_ = false;
     int particle_count_ = 0, contact_count_ = 0;

@@ -292,7 +292,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
     if (hinted) hint_panel(page, size);
     const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
-    if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
+    if (names_nodes && !at_settings) node_panel(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     if (shown.controls) settings.draw(view, page);
     if (showing_time) {
@@ -307,7 +307,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 }
 
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
-    if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
+    if (view.settings->view.bounds) page.height -= hierarchy_panel(view, fits_, taken, page);
     if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
         page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), hold_looks, taken, page);
     }

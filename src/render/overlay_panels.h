@@ -52,7 +52,7 @@ public:
     SettingsPanel settings{wishes};
     MenuPanel menu{settings, wishes};
     ColourScale colours;     ///< of the cloth in this frame
-    double full_strain = 0;  ///< see `StrainCrosses::full`
+    double full_strain = 0;  ///< as in `StrainCrosses`
 
 private:
     void legends(const FrameView& view, float taken, OverlayPage page);
@@ -80,7 +80,7 @@ private:
     };
 
     StepMedians step_medians_;
-    HierarchyPanel hierarchy_;
+    LevelFits fits_;
     PlotHistory plots_;
     ComparisonPanel comparison_;
     PanelBox timeline_;

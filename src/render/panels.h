@@ -12,7 +12,6 @@
 #include "drape/render/renderer.h"
 #include "drape/session/comparison.h"
 #include "drawn_nodes.h"
-#include "node_pick.h"
 #include "overlay_style.h"
 #include "plot_history.h"
 #include "step_medians.h"
@@ -63,26 +62,14 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
 /// @return the height that is taken at the bottom [pixel]
 float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page);
 
-/// The panel that explains drawn bounding volumes, at the lower right: which level of which volume, what the last
-/// query did level by level, how tight they are, and what the colours say. Beside the pointer it names the node there.
-class HierarchyPanel {
-public:
-    /// Nothing where there is no room.
-    /// @param taken what is left of this belongs to others [pixel]
-    /// @return how high it is, with a margin [pixel]
-    float draw(const FrameView& view, float taken, const OverlayPage& page);
+/// The panel that explains drawn bounding volumes, likewise: which level of which volume, what the last query did level
+/// by level, how tight they are, and what the colours say.
+/// @param fits of the frames before
+float hierarchy_panel(const FrameView& view, LevelFits& fits, float taken, const OverlayPage& page);
 
-    /// Names the node under the pointer, if there is one.
-    /// @param x, y of the pointer [pixel]
-    void name_node(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
-
-private:
-    std::vector<LevelCounts> counts_;
-    std::vector<NodeView> nodes_;
-    TouchedCells touched_;
-    LevelFits fits_;
-    NodePicker picker_;
-};
+/// Names the node under the pointer beside it, if there is one.
+/// @param x, y of the pointer [pixel]
+void node_panel(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
 
 /// The figures of both simulations of a comparison beside each other at the upper right, and how far apart they are,
 /// with its curve over the last seconds.

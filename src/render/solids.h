@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "cloth_colours.h"
 #include "cloth_mesh.h"
 #include "drape/sim/frame_view.h"
 #include "frame_data.h"
@@ -75,7 +74,8 @@ public:
         if (update_kept(view.cloths, grids_, grid_of) || has_other_bodies) index_triangles();
     }
 
-    void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream) {
+    /// @param values that colour the particles, if any do
+    void fill(const FrameView& view, std::span<const float> values, const Viewpoint& from, StreamBuffer& stream) {
         const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
         auto* vertex = stream.room<ClothVertex>(Region::Cloth, fixed_vertices() + middles);
         for (int number = 0; const ClothView& cloth : view.cloths) {
@@ -83,7 +83,8 @@ public:
             fill_hollows(cloth.model, vertex);
             vertex += cloth.model.grid.particles();
         }
-        colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
+        auto* const particles = stream.data<ClothVertex>(Region::Cloth);
+        for (std::size_t p = 0; p < values.size(); ++p) particles[p].value = values[p];
         for (std::size_t i = 0; i < view.solids.size(); ++i) {
             const TriangleMesh& mesh = meshes_[i];
             const Eigen::Quaternionf orientation = view.solids[i].orientation.cast<float>();
