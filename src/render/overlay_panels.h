@@ -56,18 +56,7 @@ public:
 
 private:
     void legends(const FrameView& view, float taken, OverlayPage page);
-    void hint_panel(const OverlayPage& page, std::size_t font) const;
-    float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
-                       bool at_top) const;
-
-    struct Help {
-        std::size_t font;  ///< of `fonts_`
-        KeyLayout layout;
-    };
-    [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
-
     void hand_over_input();
-
     void forget_input();
 
     /// What has come and was not seen yet: each frame sees one press or release, where it was.

@@ -90,35 +90,20 @@ private:
     double time_ = 0;               ///< of the last one [s]
 };
 
-/// Widths of keys and of their texts beside them; both are wrapped where they are too long [pixel].
-struct KeyColumns {
-    float keys = 0, gap = 0, texts = 0;
-    [[nodiscard]] float width() const { return keys + gap + texts; }
-};
+/// The keys at the upper right, in the largest font in which all are seen.
+/// @param fonts up to the usual one, from the smallest
+/// @param right edge of the room for it [pixel]
+/// @param beside whether the stats panel is to have room beside it
+/// @return whether it has
+bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, float right,
+                bool beside);
 
-/// How the lines of a panel stand beside and below one another.
-struct KeyLayout {
-    KeyColumns widths;                ///< of each column
-    std::vector<std::size_t> starts;  ///< the first line of each column
-    float row = 0;                    ///< height of a line [pixel]
-    float height = 0;                 ///< of the highest column [pixel]
-    bool whole = true;                ///< there is room for all of it
+/// That a hint is wide at least, if its text is [font size].
+inline constexpr float hint_columns = 24;
 
-    /// Of the panel, its margins included [pixel].
-    [[nodiscard]] ImVec2 size(float margin) const;
-};
-
-/// All lines in the present font, below one another.
-/// @param width that the panel may have, its margins included [pixel]
-/// @param row height of a line [pixel]
-KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, float margin);
-
-/// The same in two columns, or as many as there is room for; else in one that is not whole, where they would be too
-/// high, or too narrow to read.
-/// @param width, height of the room for the panel, its margins included [pixel]
-KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin);
-
-/// Makes the panel in the present window of Dear ImGui, cut where it is higher than its box.
-void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const PanelBox& box, float margin);
+/// What to try first, at the bottom beside the other panels, in a smaller font where there is no room.
+/// @param fonts as of `help_panel`
+void hint_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,
+                const std::vector<PanelBox>& others);
 
 }  // namespace drape
