@@ -84,8 +84,11 @@ inline void draw_panel(const PanelBox& box) {
 
 inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
-/// Of curves [pixel].
-inline float curve_width() { return std::max(1.5f, 0.1f * ImGui::GetFontSize()); }
+inline void draw_curve(const std::vector<ImVec2>& points, ImU32 colour) {
+    const float width = std::max(1.5f, 0.1f * ImGui::GetFontSize());
+    const auto count = static_cast<int>(points.size());
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), count, colour, ImDrawFlags_None, width);
+}
 
 /// Text from a point of the picture on.
 inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {
