@@ -46,7 +46,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       options_(options) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
-    if (options.check) check_.emplace();
+    if (options.check) glutInitContextFlags(GLUT_DEBUG);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     const double scale = display_scale();
@@ -55,7 +55,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     window_ = glutCreateWindow("Drape");
     start_glew();
     wait_for_refresh();
-    if (check_) check_->listen();
+    if (options.check) listen_for_errors(gl_error_);
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
     renderer_->panels().display_scale = scale;
@@ -79,7 +79,7 @@ int Window::run() {
     return signal_ == 0 ? 0 : 128 + signal_;
 }
 
-void Window::on_tick() {
+void Window::on_tick(int) {
     if (closed_) return;
     glutSetWindow(window_);
     signal_ = signals_.arrived();
@@ -129,8 +129,7 @@ void Window::schedule() {
     if (closed_) return;
     const double wait = (drawable() ? frame_time_ : hidden_tick) - clock_.seconds();
     const auto milliseconds = static_cast<unsigned>(std::max(1.0, 1000 * wait));
-    glutTimerFuncUcall(
-        milliseconds, [](int, void* user) { guarded_call(user, &Window::on_tick); }, 0, this);
+    glutTimerFuncUcall(milliseconds, Callback<&Window::on_tick>::call, 0, this);
 }
 
 void Window::on_display() {
@@ -162,7 +161,7 @@ void Window::show_drawn() {
     const double wait = watch.seconds();
     glutSwapBuffers();
     if (scene_clock_.begin()) clock_.lap();  // what the first picture took is no time of the scene
-    if (check_) check_->check(session_.view(), camera_);
+    if (options_.check) check_frame(gl_error_, session_.view(), camera_);
     picture_time_ = drawing_time_ + watch.seconds();
     drawing_time_ += wait;
     if (session_.simulation().settings().view.quality == PictureQuality::Auto) pace_.drew(prefer_speed, drawing_time_);
