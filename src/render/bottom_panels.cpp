@@ -90,20 +90,14 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     return height + margin;
 }
 
-bool is_timeline_due(const FrameView& view) {
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted) {
     const Timeline& timeline = view.timeline;
-    return timeline.newest > timeline.oldest && (view.paused || timeline.replay || !timeline.is_live());
-}
-
-PanelBox timeline_place(const OverlayPage& page) {
-    const float size = ImGui::GetFontSize(), width = std::min(page.width - 2 * page.margin, 56 * size);
-    const float left = (page.width - width) / 2, bottom = page.height - page.margin;
-    return {left, bottom - 2.9f * size, left + width, bottom};
-}
-
-std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box) {
+    const bool is_due = view.paused || timeline.replay || !timeline.is_live();
+    if (timeline.newest <= timeline.oldest || !is_due) return {};
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    std::optional<std::int64_t> wanted;
+    const float width = std::min(page.width - 2 * page.margin, 56 * size);
+    const float left = (page.width - width) / 2, bottom = page.height - page.margin;
+    const PanelBox box{left, bottom - 2.9f * size, left + width, bottom};
     if (begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0)) {
         text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
 
@@ -132,7 +126,7 @@ std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const Panel
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
     end_window();
-    return wanted;
+    return box;
 }
 
 }  // namespace drape

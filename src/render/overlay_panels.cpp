@@ -248,7 +248,6 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
-    const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height) {
@@ -283,14 +282,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const std::span fonts(fonts_.data(), size + 1);
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    timeline_ = showing_time ? timeline_place(page) : PanelBox{};
-    if (showing_time) page.height = timeline_.top;
-    if (shown.controls) {
-        settings.place(page);
-        boxes_.push_back(settings.window);
-    } else {
-        settings.hide();
-    }
+    timeline_ = timeline_panel(view, page, wishes.step);
+    if (shows_timeline()) page.height = timeline_.top;
+    shown.controls ? settings.draw(view, page) : settings.hide();
     const float right = shown.controls ? settings.window.left - margin : w - margin;
 
     // Help is nearly as high as the page: above notices
@@ -316,11 +310,6 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
     if (names_nodes && !at_settings) node_panel(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
-    if (shown.controls) settings.draw(view, page);
-    if (showing_time) {
-        if (const auto step = timeline_panel(view.timeline, timeline_)) wishes.step = step;
-        boxes_.push_back(timeline_);
-    }
     menu.draw(view, {w, h, margin});
     forget_input();
     ImGui::PopFont();

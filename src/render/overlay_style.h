@@ -74,11 +74,16 @@ struct PanelFont {
     }
 };
 
-/// Draws a panel's ground, and adds it to the panels of the frame, which are Dear ImGui's user data.
-/// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
+/// Adds a panel to those of the frame, which are Dear ImGui's user data.
+inline void add_panel(const PanelBox& box) {
+    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) boxes->push_back(box);
+}
+
+/// Draws a panel's ground, and adds it. All such panels are parts of one window as large as the picture, so that the
+/// overlay is one draw call.
 inline void draw_panel(const PanelBox& box) {
     const float rounding = 8;
-    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) boxes->push_back(box);
+    add_panel(box);
     ImGui::GetWindowDrawList()->AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ink::panel, rounding);
 }
 
@@ -114,7 +119,7 @@ inline void text_before(ImVec2 corner, ImU32 colour, std::string_view text) {
     text_at({corner.x - text_width(text), corner.y}, colour, text);
 }
 
-/// Begins a window of Dear ImGui for widgets, on a panel's ground; `end_window` follows.
+/// Begins a window of Dear ImGui for widgets, on a panel's ground, and adds it; `end_window` follows.
 /// @param flags `ImGuiWindowFlags`
 /// @return whether anything is to be made in it
 [[nodiscard]] bool begin_window(const PanelBox& box, const char* name, int flags, float padding);

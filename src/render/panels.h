@@ -40,16 +40,11 @@ inline constexpr float plots_columns = 52.5f, plots_rows = 8;
 /// @return the height that is taken at the bottom [pixel]
 float plots_panel(const PlotHistory& history, const OverlayPage& page);
 
-/// Whether there is anything to show in the bar of time: the run stands still, or is in its past, or is a replay.
-bool is_timeline_due(const FrameView& view);
-
-/// Where it is, at the bottom of a page.
-PanelBox timeline_place(const OverlayPage& page);
-
-/// The bar of time, with Dear ImGui's widgets: where the run stands between the oldest step that is kept and the
-/// newest, or in the recording that is replayed.
-/// @return the step that a drag on it asks for
-std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
+/// The bar of time at the bottom, with Dear ImGui's widgets: where the run stands between the oldest step that is kept
+/// and the newest, or in the recording that is replayed. Nothing unless the run stands still, or is in its past, or is
+/// a replay.
+/// @param wanted receives the step that a drag on it asks for
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.

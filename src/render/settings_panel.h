@@ -41,15 +41,11 @@ public:
         compared_.clear();
     }
 
-    /// Finds the place of a frame's panel.
-    void place(const OverlayPage& page) {
+    /// Makes a frame's panel.
+    void draw(const FrameView& view, const OverlayPage& page) {
         const float width = std::min(columns * ImGui::GetFontSize(), page.width - 2 * page.margin);
         const float right = page.width - page.margin;
         window = {right - width, page.margin, right, page.height - page.margin};
-    }
-
-    /// Makes it there.
-    void draw(const FrameView& view, const OverlayPage& page) {
         const Settings& settings = *view.settings;
         editor_.begin_frame();
         constexpr auto flags =
