@@ -61,7 +61,6 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     renderer_->panels().display_scale = scale;
     start_scene();
     renderer_->panels().hint = first_hints(!session.simulation().balls().empty());
-    hinting_ = true;
     if (options.tour) go_to_stop(0);
     register_callbacks();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
@@ -268,7 +267,7 @@ void Window::start_scene() {
     renderer_->panels().set_scene(session_.simulation().settings());
     renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());
     renderer_->panels().hint = {};
-    hinting_ = touring_ = false;
+    touring_ = false;
     glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str());
 }
 

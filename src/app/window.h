@@ -159,7 +159,6 @@ private:
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
     int stop_ = 0;               ///< of the tour: the present one, or that which F1 goes to
     bool touring_ = false;       ///< the scene is a stop's, and its panel is on show
-    bool hinting_ = false;       ///< the first hints are on show
 };
 
 }  // namespace drape

@@ -144,7 +144,6 @@ void Window::go_to_stop(int stop) {
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().hint = tour_hint(static_cast<std::size_t>(stop_));
     renderer_->panels().set_scene(session_.simulation().settings());
-    hinting_ = false;
     touring_ = true;
 }
 
@@ -175,8 +174,9 @@ bool Window::close_topmost() {
     return true;
 }
 
+// The tour's stays
 void Window::forget_hint() {
-    if (!std::exchange(hinting_, false)) return;
+    if (touring_ || renderer_->panels().hint.empty()) return;
     renderer_->panels().hint = {};
     dirty_ = true;
 }
