@@ -30,14 +30,6 @@ command::Set set_speed(double speed) {
 
 constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes as such
 
-// Writes the first numbered picture that is not there yet.
-std::filesystem::path write_next(const Image& picture) {
-    for (int number = 1;; ++number) {
-        const std::filesystem::path file = numbered_name(number, ".png");
-        if (!exists(symlink_status(file)) && write_png(picture, file, true)) return file;
-    }
-}
-
 }  // namespace
 
 void Window::register_callbacks() {
@@ -336,7 +328,9 @@ void Window::take_picture() {
         draw(view, DrawnFor::Picture);
         Image picture = renderer_->read_back();
         picture.texts = picture_texts(session_.simulation());
-        notices_.add("picture", "Picture written: " + write_next(picture).string());
+        std::filesystem::path file = first_free_name(".png");
+        while (!write_png(picture, file, true)) file = first_free_name(".png");  // somebody was faster
+        notices_.add("picture", "Picture written: " + file.string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());
     }

@@ -100,7 +100,8 @@ public:
             gl_.draw_elements(GL_LINES, 2 * plain);
             gl_(glVertexAttrib1f, 4u, bend_lift * spacing_);
             gl_.draw_elements(GL_LINES, 2 * bend, 2 * static_cast<std::size_t>(plain) * sizeof(std::uint32_t));
-            draw(particle_program_, springs_, GL_POINTS, particle_count_, 1);
+            particle_program_.use();
+            gl_.draw_arrays(GL_POINTS, particle_count_);
         }
         if (show_pins_) draw(pin_program_, springs_, GL_POINTS, particle_count_, 1);
         if (contact_count_ > 0) draw(contact_program_, contacts_, GL_TRIANGLES, contact_vertices, contact_count_);
