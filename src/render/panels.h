@@ -44,6 +44,7 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page);
 /// and the newest, or in the recording that is replayed. Nothing unless the run stands still, or is in its past, or is
 /// a replay.
 /// @param wanted receives the step that a drag on it asks for
+/// @return where it is
 PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
@@ -60,6 +61,7 @@ float line_panel(const std::string& title, std::span<const LineLook> looks, floa
 /// The panel that explains drawn bounding volumes, likewise: which level of which volume, what the last query did level
 /// by level, how tight they are, and what the colours say.
 /// @param fits of the frames before
+/// @return as of `line_panel`
 float hierarchy_panel(const FrameView& view, LevelFits& fits, float taken, const OverlayPage& page);
 
 /// Names the node under the pointer beside it, if there is one.
