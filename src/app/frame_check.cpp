@@ -1,8 +1,6 @@
 #include "frame_check.h"
 
 #include <GL/glew.h>
-// GLEW comes before any other header of OpenGL.
-#include <GL/freeglut.h>
 
 #include <algorithm>
 
@@ -27,9 +25,7 @@ bool finite(const FrameView& view) {
 
 }  // namespace
 
-FrameCheck::FrameCheck() { glutInitContextFlags(GLUT_DEBUG); }
-
-void FrameCheck::listen() {
+void listen_for_errors(std::string& first_error) {
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
     if (!GLEW_KHR_debug || (flags & GL_CONTEXT_FLAG_DEBUG_BIT) == 0) {
@@ -37,11 +33,11 @@ void FrameCheck::listen() {
     }
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(on_message, &error_);
+    glDebugMessageCallback(on_message, &first_error);
 }
 
-void FrameCheck::check(const FrameView& view, const Camera& camera) const {
-    if (!error_.empty()) throw RunError("--check: OpenGL: " + error_);
+void check_frame(const std::string& gl_error, const FrameView& view, const Camera& camera) {
+    if (!gl_error.empty()) throw RunError("--check: OpenGL: " + gl_error);
     if (!finite(view)) throw RunError("--check: a position is not finite");
     if (!camera.eye().allFinite() || !camera.view_matrix().allFinite()) {
         throw RunError("--check: the view is not finite");

@@ -3,32 +3,23 @@
 #include <GL/freeglut.h>
 #include <GL/freeglut_ucall.h>
 
-#include <algorithm>
+#include <map>
 
 namespace drape {
 
 namespace {
 
-struct Submenu {
-    std::string path;
-    int number;  // GLUT's
-    int length;  // in entries
-};
-
-// The index of the submenu at a path; makes it, and those around it, where they are not there yet.
-std::size_t submenu(const std::string& path, std::vector<Submenu>& menus, void (*choose)(int entry, void* user),
-                    void* user) {
-    const auto found = std::ranges::find(menus, path, &Submenu::path);
-    if (found != menus.end()) return static_cast<std::size_t>(found - menus.begin());
+// GLUT's number of the submenu at a path; makes it, and those around it, where they are not there yet.
+int submenu(const std::string& path, std::map<std::string, int>& menus, void (*choose)(int entry, void* user),
+            void* user) {
+    if (const auto found = menus.find(path); found != menus.end()) return found->second;
     const std::size_t slash = path.rfind('/');
     const bool is_nested = slash != std::string::npos;
-    Submenu& around = menus[submenu(is_nested ? path.substr(0, slash) : "", menus, choose, user)];
-    const int number = glutCreateMenuUcall(choose, user);
-    glutSetMenu(around.number);
+    const int around = submenu(is_nested ? path.substr(0, slash) : "", menus, choose, user);
+    const int number = menus[path] = glutCreateMenuUcall(choose, user);
+    glutSetMenu(around);
     glutAddSubMenu(path.substr(is_nested ? slash + 1 : 0).c_str(), number);
-    ++around.length;
-    menus.push_back({path, number, 0});
-    return menus.size() - 1;
+    return number;
 }
 
 std::string with_keys(const Entry& entry) {
@@ -38,17 +29,17 @@ std::string with_keys(const Entry& entry) {
 }  // namespace
 
 Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user) {
-    std::vector<Submenu> menus{{"", glutCreateMenuUcall(choose, user), 0}};
+    std::map<std::string, int> menus{{"", glutCreateMenuUcall(choose, user)}};
     for (std::size_t e = 0; e < entries.size(); ++e) {
         const Entry& entry = entries[e];
-        Submenu* const menu = &menus[submenu(entry.menu, menus, choose, user)];
-        glutSetMenu(menu->number);
+        const int menu = submenu(entry.menu, menus, choose, user);
+        glutSetMenu(menu);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
-        items_.push_back({with_keys(entry), MenuMark(entry), menu->number, ++menu->length, entry.text});
+        items_.push_back({with_keys(entry), MenuMark(entry), menu, glutGet(GLUT_MENU_NUM_ITEMS), entry.text});
     }
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());
-    glutSetMenu(menus.front().number);
+    glutSetMenu(menus[""]);
     glutAttachMenu(GLUT_RIGHT_BUTTON);
 }
 

@@ -46,7 +46,7 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
       options_(options) {
     glutInitContextVersion(3, 3);
     glutInitContextProfile(GLUT_CORE_PROFILE);
-    if (options.check) check_.emplace();
+    if (options.check) glutInitContextFlags(GLUT_DEBUG);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGB);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     const double scale = display_scale();
@@ -55,13 +55,12 @@ Window::Window(Session& session, const Options& options, const StopSignals& sign
     window_ = glutCreateWindow("Drape");
     start_glew();
     wait_for_refresh();
-    if (check_) check_->listen();
+    if (options.check) listen_for_errors(gl_error_);
     session_.keep_history({});
     renderer_ = std::make_unique<Renderer>();
     renderer_->panels().display_scale = scale;
     start_scene();
     renderer_->panels().hint = first_hints(!session.simulation().balls().empty());
-    hinting_ = true;
     if (options.tour) go_to_stop(0);
     register_callbacks();
     on_reshape(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
@@ -79,7 +78,7 @@ int Window::run() {
     return signal_ == 0 ? 0 : 128 + signal_;
 }
 
-void Window::on_tick() {
+void Window::on_tick(int) {
     if (closed_) return;
     glutSetWindow(window_);
     signal_ = signals_.arrived();
@@ -129,8 +128,7 @@ void Window::schedule() {
     if (closed_) return;
     const double wait = (drawable() ? frame_time_ : hidden_tick) - clock_.seconds();
     const auto milliseconds = static_cast<unsigned>(std::max(1.0, 1000 * wait));
-    glutTimerFuncUcall(
-        milliseconds, [](int, void* user) { guarded_call(user, &Window::on_tick); }, 0, this);
+    glutTimerFuncUcall(milliseconds, Callback<&Window::on_tick>::call, 0, this);
 }
 
 void Window::on_display() {
@@ -162,7 +160,7 @@ void Window::show_drawn() {
     const double wait = watch.seconds();
     glutSwapBuffers();
     if (scene_clock_.begin()) clock_.lap();  // what the first picture took is no time of the scene
-    if (check_) check_->check(session_.view(), camera_);
+    if (options_.check) check_frame(gl_error_, session_.view(), camera_);
     picture_time_ = drawing_time_ + watch.seconds();
     drawing_time_ += wait;
     if (session_.simulation().settings().view.quality == PictureQuality::Auto) pace_.drew(prefer_speed, drawing_time_);
@@ -269,7 +267,7 @@ void Window::start_scene() {
     renderer_->panels().set_scene(session_.simulation().settings());
     renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());
     renderer_->panels().hint = {};
-    hinting_ = touring_ = false;
+    touring_ = false;
     glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str());
 }
 

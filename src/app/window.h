@@ -50,34 +50,42 @@ private:
     void register_callbacks();
 
     // What GLUT brings.
-    void on_tick();
+    void on_tick(int);
     void on_display();
     void on_reshape(int width, int height);
     void on_visibility(int state);
-    void on_character(unsigned char code, bool down);
-    void on_special(int code);
-    void type_at_panel(unsigned char code);
-    void on_key(const std::string& key, bool down);
+    void on_character(unsigned char code, int x, int y);
+    void on_character_up(unsigned char code, int x, int y);
+    void on_special(int code, int x, int y);
+    void on_special_up(int code, int x, int y);
     void on_button(int button, int state, int x, int y);
     void on_motion(int x, int y);
     void on_passive_motion(int x, int y);
-    void on_wheel(int notches, int x, int y);
-    void on_menu(bool open);
+    void on_wheel(int wheel, int notches, int x, int y);
+    void on_menu(int status, int x, int y);
     void on_choice(int entry);
     void on_close();
 
-    // An exception must not pass through GLUT: it ends the main loop, and `run` throws it again.
-    template <class... Parameters, class... Arguments>
-    static void guarded_call(void* user, void (Window::*callback)(Parameters...), Arguments&&... arguments) {
-        Window& window = *static_cast<Window*>(user);
-        try {
-            (window.*callback)(std::forward<Arguments>(arguments)...);
-        } catch (...) {
-            window.failure_ = std::current_exception();
-            window.leave();
+    // `Callback<&Window::on_...>::call` is what GLUT calls. An exception must not pass through it: it ends the main
+    // loop, and `run` throws it again.
+    template <auto callback>
+    struct Callback;
+    template <class... Arguments, void (Window::*callback)(Arguments...)>
+    struct Callback<callback> {
+        static void call(Arguments... arguments, void* user) {
+            Window& window = *static_cast<Window*>(user);
+            try {
+                (window.*callback)(arguments...);
+            } catch (...) {
+                window.failure_ = std::current_exception();
+                window.leave();
+            }
         }
-    }
+    };
 
+    void press(const std::string& key);
+    void release(const std::string& key);
+    void type_at_panel(unsigned char code);
     bool carry_out(const Command& command);
     void carry_out(const std::vector<Command>& commands);
     void give(const Entry& entry);
@@ -122,7 +130,7 @@ private:
     SceneClock scene_clock_;
     BallWatch ball_watch_;
     WindowVideo video_;
-    std::optional<FrameCheck> check_;  ///< where the user asks for it
+    std::string gl_error_;  ///< the first, where `options_.check` asks for it
     std::unique_ptr<Renderer> renderer_;
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
@@ -151,7 +159,6 @@ private:
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
     int stop_ = 0;               ///< of the tour: the present one, or that which F1 goes to
     bool touring_ = false;       ///< the scene is a stop's, and its panel is on show
-    bool hinting_ = false;       ///< the first hints are on show
 };
 
 }  // namespace drape

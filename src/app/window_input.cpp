@@ -30,55 +30,39 @@ command::Set set_speed(double speed) {
 
 constexpr int wheel_up = 3, wheel_down = 4;  // buttons, where the wheel comes as such
 
-// Writes the first numbered picture that is not there yet.
-std::filesystem::path write_next(const Image& picture) {
-    for (int number = 1;; ++number) {
-        const std::filesystem::path file = numbered_name(number, ".png");
-        if (!exists(symlink_status(file)) && write_png(picture, file, true)) return file;
-    }
-}
-
 }  // namespace
 
 void Window::register_callbacks() {
     // Repeats are not ignored where they can be told: freeglut would lose keys that follow while a picture is drawn
     if (!make_repeats_detectable()) glutIgnoreKeyRepeat(1);
-    glutDisplayFuncUcall([](void* user) { guarded_call(user, &Window::on_display); }, this);
-    glutReshapeFuncUcall([](int w, int h, void* user) { guarded_call(user, &Window::on_reshape, w, h); }, this);
-    glutVisibilityFuncUcall([](int state, void* user) { guarded_call(user, &Window::on_visibility, state); }, this);
-    glutCloseFuncUcall([](void* user) { guarded_call(user, &Window::on_close); }, this);
-    glutMouseFuncUcall([](int button, int state, int x, int y,
-                          void* user) { guarded_call(user, &Window::on_button, button, state, x, y); },
-                       this);
-    glutMotionFuncUcall([](int x, int y, void* user) { guarded_call(user, &Window::on_motion, x, y); }, this);
-    glutPassiveMotionFuncUcall([](int x, int y, void* user) { guarded_call(user, &Window::on_passive_motion, x, y); },
-                               this);
-    glutMouseWheelFuncUcall(
-        [](int, int notches, int x, int y, void* user) { guarded_call(user, &Window::on_wheel, notches, x, y); }, this);
-    glutKeyboardFuncUcall(
-        [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, true); }, this);
-    glutKeyboardUpFuncUcall(
-        [](unsigned char code, int, int, void* user) { guarded_call(user, &Window::on_character, code, false); }, this);
-    glutSpecialFuncUcall([](int code, int, int, void* user) { guarded_call(user, &Window::on_special, code); }, this);
-    glutSpecialUpFuncUcall(
-        [](int code, int, int, void* user) { guarded_call(user, &Window::on_key, special_key(code, false), false); },
-        this);
-    menu_.emplace(
-        entries_, [](int entry, void* user) { guarded_call(user, &Window::on_choice, entry); }, this);
-    glutMenuStatusFuncUcall(
-        [](int status, int, int, void* user) { guarded_call(user, &Window::on_menu, status == GLUT_MENU_IN_USE); },
-        this);
+    glutDisplayFuncUcall(Callback<&Window::on_display>::call, this);
+    glutReshapeFuncUcall(Callback<&Window::on_reshape>::call, this);
+    glutVisibilityFuncUcall(Callback<&Window::on_visibility>::call, this);
+    glutCloseFuncUcall(Callback<&Window::on_close>::call, this);
+    glutMouseFuncUcall(Callback<&Window::on_button>::call, this);
+    glutMotionFuncUcall(Callback<&Window::on_motion>::call, this);
+    glutPassiveMotionFuncUcall(Callback<&Window::on_passive_motion>::call, this);
+    glutMouseWheelFuncUcall(Callback<&Window::on_wheel>::call, this);
+    glutKeyboardFuncUcall(Callback<&Window::on_character>::call, this);
+    glutKeyboardUpFuncUcall(Callback<&Window::on_character_up>::call, this);
+    glutSpecialFuncUcall(Callback<&Window::on_special>::call, this);
+    glutSpecialUpFuncUcall(Callback<&Window::on_special_up>::call, this);
+    menu_.emplace(entries_, Callback<&Window::on_choice>::call, this);
+    glutMenuStatusFuncUcall(Callback<&Window::on_menu>::call, this);
 }
 
-void Window::on_character(unsigned char code, bool down) {
-    const int modifiers = glutGetModifiers();
-    if (down && renderer_->panels().have_keyboard()) {
+void Window::on_character(unsigned char code, int, int) {
+    if (renderer_->panels().have_keyboard()) {
         held_keys_.insert(character_key(code, false));
         return type_at_panel(code);
     }
-    if (down && (modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
-    on_key(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0), down);
+    const int modifiers = glutGetModifiers();
+    if ((modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
+    press(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0));
 }
+
+// Shift is no matter: it may have been let go first
+void Window::on_character_up(unsigned char code, int, int) { release(character_key(code, false)); }
 
 void Window::type_at_panel(unsigned char code) {
     panel_frames_ = 8;
@@ -86,21 +70,24 @@ void Window::type_at_panel(unsigned char code) {
     take_panel_changes();
 }
 
-void Window::on_special(int code) {
+void Window::on_special(int code, int, int) {
     if ((code == GLUT_KEY_UP || code == GLUT_KEY_DOWN) && renderer_->panels().menu_open()) {
         held_keys_.insert(special_key(code, false));
         return type_at_panel(code == GLUT_KEY_UP ? 16 : 14);
     }
     if (renderer_->panels().have_keyboard()) return;
-    on_key(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0), true);
+    press(special_key(code, (glutGetModifiers() & GLUT_ACTIVE_SHIFT) != 0));
 }
 
-void Window::on_key(const std::string& key, bool down) {
-    if (!down) {
-        // A key that Shift has changed in between has another name by now
-        if (held_keys_.erase(without_shift(key)) == 0) held_keys_.clear();
-        return steering_.release(key);
-    }
+void Window::on_special_up(int code, int, int) { release(special_key(code, false)); }
+
+void Window::release(const std::string& key) {
+    // A key that Shift has changed in between has another name by now
+    if (held_keys_.erase(key) == 0) held_keys_.clear();
+    steering_.release(key);
+}
+
+void Window::press(const std::string& key) {
     if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
     forget_hint();
     if (key == "Esc" && close_topmost()) return;
@@ -149,7 +136,6 @@ void Window::go_to_stop(int stop) {
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().hint = tour_hint(static_cast<std::size_t>(stop_));
     renderer_->panels().set_scene(session_.simulation().settings());
-    hinting_ = false;
     touring_ = true;
 }
 
@@ -180,13 +166,15 @@ bool Window::close_topmost() {
     return true;
 }
 
+// The tour's stays
 void Window::forget_hint() {
-    if (!std::exchange(hinting_, false)) return;
+    if (touring_ || renderer_->panels().hint.empty()) return;
     renderer_->panels().hint = {};
     dirty_ = true;
 }
 
-void Window::on_menu(bool open) {
+void Window::on_menu(int status, int, int) {
+    const bool open = status == GLUT_MENU_IN_USE;
     forget_hint();
     menu_->set_open(open);
     if (renderer_->panels().menu_open()) type_at_panel(27);
@@ -195,7 +183,7 @@ void Window::on_menu(bool open) {
 
 void Window::on_button(int button, int state, int x, int y) {
     if (button == wheel_up || button == wheel_down) {
-        if (state == GLUT_DOWN) on_wheel(button == wheel_up ? 1 : -1, x, y);
+        if (state == GLUT_DOWN) on_wheel(0, button == wheel_up ? 1 : -1, x, y);
         return;
     }
     if ((button != GLUT_LEFT_BUTTON && button != GLUT_MIDDLE_BUTTON) || !drawable()) return;
@@ -241,7 +229,7 @@ void Window::on_passive_motion(int x, int y) {
     dirty_ |= session_.simulation().settings().view.bounds;
 }
 
-void Window::on_wheel(int notches, int x, int y) {
+void Window::on_wheel(int, int notches, int x, int y) {
     if (!at_panel({.x = x, .y = y, .down = panel_button_, .notches = notches})) carry_out(Pointer::wheel(notches));
 }
 
@@ -340,7 +328,9 @@ void Window::take_picture() {
         draw(view, DrawnFor::Picture);
         Image picture = renderer_->read_back();
         picture.texts = picture_texts(session_.simulation());
-        notices_.add("picture", "Picture written: " + write_next(picture).string());
+        std::filesystem::path file = first_free_name(".png");
+        while (!write_png(picture, file, true)) file = first_free_name(".png");  // somebody was faster
+        notices_.add("picture", "Picture written: " + file.string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());
     }

@@ -12,10 +12,13 @@
 
 namespace drape {
 
-/// "drape-0007.png": how the window calls what it writes.
-inline std::filesystem::path numbered_name(int number, const std::string& extension) {
-    const std::string digits = std::to_string(number);
-    return "drape-" + std::string(4 - std::min<std::size_t>(digits.size(), 4), '0') + digits + extension;
+/// "drape-0007.png": how the window calls what it writes, by the first number of which there is no file.
+inline std::filesystem::path first_free_name(const std::string& extension) {
+    for (int number = 1;; ++number) {
+        const std::string digits = std::to_string(number), zeros(4 - std::min<std::size_t>(digits.size(), 4), '0');
+        const std::filesystem::path file = "drape-" + zeros + digits + extension;
+        if (!exists(symlink_status(file))) return file;
+    }
 }
 
 /// A video of what a window shows, as fast as it is shown: 30 pictures a second of wall time, of which a slow window
@@ -36,7 +39,7 @@ public:
         }
         if (pipe_) return "The video before is still being finished";
         try {
-            pipe_.emplace(first_free_name(), size, frame_rate, signals_, VideoPipe::Use::Live, end_patience_);
+            pipe_.emplace(first_free_name(".mp4"), size, frame_rate, signals_, VideoPipe::Use::Live, end_patience_);
         } catch (const RunError& error) {
             return std::string("No video: ") + error.what();
         }
@@ -86,12 +89,6 @@ public:
 private:
     static constexpr double frame_rate = 30;  ///< pictures per second
     static constexpr int max_repeats = 15;    ///< of one picture: a window that was hidden for long leaves the rest out
-
-    static std::filesystem::path first_free_name() {
-        int number = 1;
-        while (exists(symlink_status(numbered_name(number, ".mp4")))) ++number;
-        return numbered_name(number, ".mp4");
-    }
 
     [[nodiscard]] int due_frames() const {
         return recording() ? static_cast<int>(watch_.seconds() * frame_rate) + 1 - frames_ - left_out_ : 0;

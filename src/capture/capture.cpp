@@ -1,12 +1,15 @@
 #include "capture.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "drape/base/input_error.h"
+#include "drape/base/memory_limit.h"
 #include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 #include "drape/base/progress.h"
@@ -19,12 +22,35 @@
 #include "drape/session/failure.h"
 #include "drape/session/session.h"
 #include "drape/session/state_csv.h"
+#include "drape/session/tour.h"
 #include "frame_writer.h"
 #include "gl_context.h"
 
 namespace drape {
 
 namespace {
+
+/// To be called before there is a context: a drawing library that finds too little memory ends the whole program.
+/// @param scene what a simulation takes on top [bytes]
+/// @throws RunError that says what pictures need, where this machine, the process's control group or `ulimit -v` allows
+///         less
+void check_picture_memory(PictureSize size, double scene = 0) {
+    // Measured with Mesa 22.3 and LLVM 15: addresses of program, libraries and what they compile, and of the stack and
+    // the heap of each thread that draws, of which llvmpipe has at most 32; memory in use; both for a pixel
+    constexpr double addresses = 600e6, of_thread = 72e6, most_threads = 32, in_use = 120e6, of_pixel = 60;
+    const double threads = std::min(static_cast<double>(std::thread::hardware_concurrency()), most_threads);
+    const double pixels = of_pixel * size.width * size.height + scene;
+    const auto check = [](double need, double limit, std::string_view whose) {
+        if (need <= limit) return;
+        throw RunError("out of memory: pictures of this size and scene need about " + bytes_text(need) + ", and " +
+                       bytes_text(limit) + " is " + std::string(whose));
+    };
+    const MemoryLimit limit = memory_limit();
+    check(in_use + pixels, limit.bytes, limit.whose);
+    if (const auto space = address_space_limit()) {
+        check(addresses + threads * of_thread + pixels, *space, "what this process may take (ulimit -v)");
+    }
+}
 
 /// A start none of whose files is to be written, and for whose pictures there is memory.
 Start checked_start(const CaptureOptions& options) {
@@ -229,5 +255,44 @@ private:
 }  // namespace
 
 int capture(CaptureOptions options, const StopSignals& signals) { return Capture(std::move(options), signals).run(); }
+
+int draw_tour(const CaptureOptions& options, const StopSignals& signals) {
+    check_picture_memory(options.size);
+    const auto stops = tour_stops();
+    FrameWriter pictures(options.out, static_cast<int>(stops.size()), options.again);
+    const GlContext context = make_context(options.context);
+    Renderer renderer;
+    renderer.resize(options.size.width, options.size.height);
+    Progress progress(stops.size(), "picture");
+    int number = 0;
+    for (const TourStop& stop : stops) {
+        Session session(Simulation(std::string(stop.scene), load_scene(std::string(stop.scene))));
+        for (const Command& command : commands_of(stop)) session.send(command);
+        Simulation& simulation = session.simulation();
+        const ViewSettings& shown = simulation.settings().view;
+        // What is slow or has spheres says so in its panel; a full one is what the stop is about
+        const bool needs_panel = shown.panel == PanelSize::Full || shown.speed != 1 || shown.bounds;
+        if (!options.overlay && !needs_panel) session.send(command::Set{"view.panel=off"});
+        if (options.overlay) renderer.panels().hint = tour_hint(static_cast<std::size_t>(number));
+        // Panels show medians and curves of what was drawn since the scene began
+        constexpr int views = 6;
+        for (int k = 0; k <= views; ++k) {
+            session.run_until(stop.time * k / views, [&] { return signals.arrived() != 0; });
+            if (const int signal = signals.arrived()) {
+                pictures.finish();
+                return 128 + signal;
+            }
+            renderer.draw(session.view(), Camera(shown), {});
+        }
+        const auto image = std::make_shared<Image>(renderer.read_back());
+        image->texts = picture_texts(simulation);
+        pictures.write(image, ++number);
+        progress.advance();
+    }
+    pictures.finish();
+    progress.close(options.out);
+    pictures.remove_older();
+    return Done;
+}
 
 }  // namespace drape

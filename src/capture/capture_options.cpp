@@ -1,7 +1,4 @@
-#include "capture_options.h"
-
-#include <string>
-
+#include "capture.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/render/video_pipe.h"

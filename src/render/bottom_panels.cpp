@@ -10,12 +10,9 @@ namespace drape {
 
 namespace {
 
-// @cite okabe2008
-constexpr ImU32 orange = IM_COL32(230, 159, 0, 255), sky = IM_COL32(86, 180, 233, 255),
-                green = IM_COL32(0, 190, 140, 255), yellow = IM_COL32(240, 228, 66, 255);
-
-constexpr std::array<ImU32, plot_curves.size()> curve_colours{orange, sky, green,  yellow, orange, sky,
-                                                              orange, sky, orange, sky,    orange};
+// Of the curves of a plot: orange, sky, green, yellow. @cite okabe2008
+constexpr std::array<ImU32, 4> curve_colours{IM_COL32(230, 159, 0, 255), IM_COL32(86, 180, 233, 255),
+                                             IM_COL32(0, 190, 140, 255), IM_COL32(240, 228, 66, 255)};
 
 std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
@@ -38,12 +35,12 @@ std::string line_of(const Timeline& timeline) {
 float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     const float size = ImGui::GetFontSize(), margin = page.margin, height = plots_rows * size;
     const float width = (page.width - margin * static_cast<float>(plots.size() + 1)) / static_cast<float>(plots.size());
-    const std::size_t count = history.size();
-    if (width < 6 * size || count == 0) return 0;
+    const std::vector<PlotHistory::Moment> moments = history.shown();
+    if (width < 6 * size || moments.empty()) return 0;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double end = history.time(count - 1), span = history.span();
-    std::array<ImVec2, PlotHistory::most> points;
-    const std::size_t oldest = history.oldest_shown();
+    const PlotHistory::Moment& now = moments.back();
+    const double span = history.span();
+    std::vector<ImVec2> points;
     for (std::size_t p = 0; p < plots.size(); ++p) {
         const Plot& plot = plots[p];
         const ImVec2 corner{margin + static_cast<float>(p) * (width + margin), page.height - height - margin};
@@ -51,10 +48,10 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
 
         // What the axis has room for
         double low = 0, high = plot.scale;
-        for (std::size_t k = oldest; k < count; ++k) {
+        for (const PlotHistory::Moment& moment : moments) {
             for (std::size_t c = plot.first; c < plot.end; ++c) {
-                low = std::min(low, static_cast<double>(history.value(k, c)));
-                high = std::max(high, static_cast<double>(history.value(k, c)));
+                low = std::min(low, static_cast<double>(moment.values[c]));
+                high = std::max(high, static_cast<double>(moment.values[c]));
             }
         }
         const float left = corner.x + 0.6f * size, right = corner.x + width - 0.6f * size;
@@ -67,24 +64,24 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
         if (plot.has_limit) list.AddLine({left, level(1)}, {right, level(1)}, ink::bad);
 
         for (std::size_t c = plot.first; c < plot.end; ++c) {
-            for (std::size_t k = oldest; k < count; ++k) {
-                const auto back = static_cast<float>((end - history.time(k)) / span);
-                points[k - oldest] = {right - back * (right - left), level(history.value(k, c))};
+            points.clear();
+            for (const PlotHistory::Moment& moment : moments) {
+                const auto back = static_cast<float>((now.time - moment.time) / span);
+                points.emplace_back(right - back * (right - left), level(moment.values[c]));
             }
-            list.AddPolyline(points.data(), static_cast<int>(count - oldest), curve_colours[c], ImDrawFlags_None,
-                             curve_width());
+            draw_curve(points, curve_colours[c - plot.first]);
         }
 
         // Title, present value of the first curve, axis and legend
         text_at({left, corner.y + 0.2f * size}, ink::text, plot.title);
-        text_before({right, corner.y + 0.2f * size}, curve_colours[plot.first],
-                    short_number(static_cast<double>(history.value(count - 1, plot.first))));
+        text_before({right, corner.y + 0.2f * size}, curve_colours[0],
+                    short_number(static_cast<double>(now.values[plot.first])));
         text_at({left, top + 0.25f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
             const float label_width = text_width(plot_curves[c].label);
             if (along + label_width > right) break;
-            text_at({along, corner.y + 1.4f * size}, curve_colours[c], plot_curves[c].label);
+            text_at({along, corner.y + 1.4f * size}, curve_colours[c - plot.first], plot_curves[c].label);
             along += label_width + 0.6f * size;
         }
         text_at({left, bottom + 0.1f * size}, ink::quiet, short_number(-span) + " s");
@@ -93,20 +90,14 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     return height + margin;
 }
 
-bool is_timeline_due(const FrameView& view) {
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted) {
     const Timeline& timeline = view.timeline;
-    return timeline.newest > timeline.oldest && (view.paused || timeline.replay || !timeline.is_live());
-}
-
-PanelBox timeline_place(const OverlayPage& page) {
-    const float size = ImGui::GetFontSize(), width = std::min(page.width - 2 * page.margin, 56 * size);
-    const float left = (page.width - width) / 2, bottom = page.height - page.margin;
-    return {left, bottom - 2.9f * size, left + width, bottom};
-}
-
-std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box) {
+    const bool is_due = view.paused || timeline.replay || !timeline.is_live();
+    if (timeline.newest <= timeline.oldest || !is_due) return {};
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
-    std::optional<std::int64_t> wanted;
+    const float width = std::min(page.width - 2 * page.margin, 56 * size);
+    const float left = (page.width - width) / 2, bottom = page.height - page.margin;
+    const PanelBox box{left, bottom - 2.9f * size, left + width, bottom};
     if (begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0)) {
         text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
 
@@ -135,7 +126,7 @@ std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const Panel
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);
     }
     end_window();
-    return wanted;
+    return box;
 }
 
 }  // namespace drape

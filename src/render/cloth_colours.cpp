@@ -54,6 +54,54 @@ constexpr std::array<ColourScale, 8> scales{{
     {ColourBy::Difference, 1, "Apart", "mm", 1000},
 }};
 
+void collect_values(const FrameView& view, ClothColours& colours) {
+    auto& [scale, values_of_all] = colours;
+    float* values = values_of_all.data();
+    std::size_t number = 0;
+    for (const ClothView& cloth : view.cloths) {
+        if (scale.by == ColourBy::Difference) differences(view.comparison, number++, values);
+        if (scale.by == ColourBy::Strain || scale.by == ColourBy::PrincipalStrain) strains(cloth, values);
+        if (scale.by == ColourBy::Speed) speeds(cloth, values);
+        if (scale.by == ColourBy::Depth) depths(cloth, values);
+        values += cloth.model.grid.particles();
+    }
+    const double largest =
+        values_of_all.empty() ? 0 : scale.units * static_cast<double>(*std::ranges::max_element(values_of_all));
+    // A thousandth of a unit and less is rounding; a scale of differences ends at 1 mm or more
+    const double least = scale.by == ColourBy::Difference ? 1 : 1e-3;
+    scale.most = std::isfinite(largest) ? round_number_above(std::max(largest, least)) : 1;
+    for (float& value : values_of_all) value *= static_cast<float>(scale.units / scale.most);
+}
+
+// Nodes lie like the squares of a chessboard: two colours along rows and two along columns keep neighbours apart
+void collect_groups(const FrameView& view, float* values) {
+    const int shown = shown_level(view).level;
+    std::vector<NodeView> nodes;
+    std::vector<char> columns, rows;  // 1 where a node of the level starts
+    for (const ClothView& cloth : view.cloths) {
+        const Grid& grid = cloth.model.grid;
+        nodes.clear();
+        if (cloth.hierarchy->levels() > 0) {
+            cloth.hierarchy->nodes_at(std::min(shown, cloth.hierarchy->levels() - 1), nodes);
+        }
+        columns.assign(static_cast<std::size_t>(grid.nx), 0);
+        rows.assign(static_cast<std::size_t>(grid.ny), 0);
+        for (const NodeView& node : nodes) {
+            columns[static_cast<std::size_t>(node.cells.i0)] = 1;
+            rows[static_cast<std::size_t>(node.cells.j0)] = 1;
+        }
+        for (const NodeView& node : nodes) {
+            const auto column = std::count(columns.begin(), columns.begin() + node.cells.i0, 1);
+            const auto row = std::count(rows.begin(), rows.begin() + node.cells.j0, 1);
+            const auto group = static_cast<float>(column % 2 + 2 * (row % 2));
+            for (int j = node.cells.j0; j < node.cells.j1; ++j) {
+                for (int i = node.cells.i0; i < node.cells.i1; ++i) values[grid.particle(i + 1, j)] = group;
+            }
+        }
+        values += grid.particles();
+    }
+}
+
 }  // namespace
 
 double round_number_above(double value) {
@@ -64,59 +112,15 @@ double round_number_above(double value) {
     return 10 * power;
 }
 
-void ClothColours::collect(const FrameView& view) {
-    scale_ = *std::ranges::find(scales, view.settings->view.colour, &ColourScale::by);
-    values_.clear();
-    if (scale_.by == ColourBy::Plain || scale_.by == ColourBy::Side) return;
+ClothColours cloth_colours(const FrameView& view) {
+    ClothColours colours{*std::ranges::find(scales, view.settings->view.colour, &ColourScale::by), {}};
+    const ColourBy by = colours.scale.by;
+    if (by == ColourBy::Plain || by == ColourBy::Side) return colours;
     std::size_t particles = 0;
     for (const ClothView& cloth : view.cloths) particles += static_cast<std::size_t>(cloth.model.grid.particles());
-    values_.assign(particles, 0);
-    scale_.by == ColourBy::Level ? collect_groups(view) : collect_values(view);
-}
-
-void ClothColours::collect_values(const FrameView& view) {
-    float* values = values_.data();
-    std::size_t number = 0;
-    for (const ClothView& cloth : view.cloths) {
-        if (scale_.by == ColourBy::Difference) differences(view.comparison, number++, values);
-        if (scale_.by == ColourBy::Strain || scale_.by == ColourBy::PrincipalStrain) strains(cloth, values);
-        if (scale_.by == ColourBy::Speed) speeds(cloth, values);
-        if (scale_.by == ColourBy::Depth) depths(cloth, values);
-        values += cloth.model.grid.particles();
-    }
-    const double largest = values_.empty() ? 0 : scale_.units * static_cast<double>(*std::ranges::max_element(values_));
-    // A thousandth of a unit and less is rounding; a scale of differences ends at 1 mm or more
-    const double least = scale_.by == ColourBy::Difference ? 1 : 1e-3;
-    scale_.most = std::isfinite(largest) ? round_number_above(std::max(largest, least)) : 1;
-    for (float& value : values_) value *= static_cast<float>(scale_.units / scale_.most);
-}
-
-// Nodes lie like the squares of a chessboard: two colours along rows and two along columns keep neighbours apart
-void ClothColours::collect_groups(const FrameView& view) {
-    const int shown = shown_level(view).level;
-    float* values = values_.data();
-    for (const ClothView& cloth : view.cloths) {
-        const Grid& grid = cloth.model.grid;
-        nodes_.clear();
-        if (cloth.hierarchy->levels() > 0) {
-            cloth.hierarchy->nodes_at(std::min(shown, cloth.hierarchy->levels() - 1), nodes_);
-        }
-        columns_.assign(static_cast<std::size_t>(grid.nx), 0);
-        rows_.assign(static_cast<std::size_t>(grid.ny), 0);
-        for (const NodeView& node : nodes_) {
-            columns_[static_cast<std::size_t>(node.cells.i0)] = 1;
-            rows_[static_cast<std::size_t>(node.cells.j0)] = 1;
-        }
-        for (const NodeView& node : nodes_) {
-            const auto column = std::count(columns_.begin(), columns_.begin() + node.cells.i0, 1);
-            const auto row = std::count(rows_.begin(), rows_.begin() + node.cells.j0, 1);
-            const auto group = static_cast<float>(column % 2 + 2 * (row % 2));
-            for (int j = node.cells.j0; j < node.cells.j1; ++j) {
-                for (int i = node.cells.i0; i < node.cells.i1; ++i) values[grid.particle(i + 1, j)] = group;
-            }
-        }
-        values += grid.particles();
-    }
+    colours.values.assign(particles, 0);
+    by == ColourBy::Level ? collect_groups(view, colours.values.data()) : collect_values(view, colours);
+    return colours;
 }
 
 }  // namespace drape

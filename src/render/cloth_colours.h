@@ -1,11 +1,9 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <string_view>
 #include <vector>
 
-#include "cloth_mesh.h"
 #include "drawn_nodes.h"
 
 namespace drape {
@@ -39,29 +37,16 @@ struct ColourScale {
     double units = 1;       ///< in one SI unit
 };
 
-/// The values that colour the cloths.
-class ClothColours {
-public:
-    /// Finds them for all particles, and the scale that holds them.
-    /// @par Cost O(n), nothing for a plain cloth
-    void collect(const FrameView& view);
+/// What colours the cloths.
+struct ClothColours {
+    ColourScale scale;
 
-    [[nodiscard]] const ColourScale& scale() const { return scale_; }
-
-    /// Into vertices that follow one another as the cloths do: of the scale in [0, 1]; or the number of a group, which
-    /// the triangles of a cell take from its corner b.
-    void fill(std::span<ClothVertex> vertices) const {
-        for (std::size_t p = 0; p < values_.size(); ++p) vertices[p].value = values_[p];
-    }
-
-private:
-    void collect_values(const FrameView& view);
-    void collect_groups(const FrameView& view);
-
-    ColourScale scale_;
-    std::vector<float> values_;
-    std::vector<NodeView> nodes_;
-    std::vector<char> columns_, rows_;  ///< 1 where a node of the level starts
+    /// Of all particles, as the cloths follow one another: of the scale in [0, 1]; or the number of a group, which the
+    /// triangles of a cell take from its corner b. None where cloths are plain, or coloured by their sides.
+    std::vector<float> values;
 };
+
+/// @par Cost O(n), nothing for a plain cloth
+ClothColours cloth_colours(const FrameView& view);
 
 }  // namespace drape

@@ -18,7 +18,7 @@ float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a[0] * b[
 
 }  // namespace
 
-void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices) {
+void fill_cloth_vertices(const ClothView& cloth, int number, Real blend, ClothVertex* vertices) {
     const Grid& grid = cloth.model.grid;
     const Points& now = cloth.x;
     const Points& before = cloth.previous.rows() == now.rows() ? cloth.previous : now;
@@ -34,6 +34,8 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
     }
 
     // Normals: across the neighbours along the row and along the column
+    const auto hx = static_cast<float>(cloth.model.hx), hy = static_cast<float>(cloth.model.hy);
+    const float width = hx * static_cast<float>(grid.nx - 1), height = hy * static_cast<float>(grid.ny - 1);
     for (int j = 0; j < grid.ny; ++j) {
         const int above = std::max(j - 1, 0), below = std::min(j + 1, grid.ny - 1);
         for (int i = 0; i < grid.nx; ++i) {
@@ -48,6 +50,8 @@ void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertic
             normal = Eigen::Vector3f::UnitY();
             if (length > 1e-20f) normal = across / length;
             vertex.hollow = 0;
+            vertex.place = {hx * static_cast<float>(i), hy * static_cast<float>(j), width, height};
+            vertex.number = static_cast<float>(number);
         }
     }
 }
@@ -67,18 +71,6 @@ void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
             const float curvature = bent(grid.particle(i - 1, j), grid.particle(i + 1, j), hx) +
                                     bent(grid.particle(i, j - 1), grid.particle(i, j + 1), hy);
             vertex.hollow = std::clamp(radius * curvature, -1.0f, 1.0f);
-        }
-    }
-}
-
-void append_places(const ClothModel& model, int number, std::vector<ClothPlace>& places) {
-    const Grid& grid = model.grid;
-    const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
-    const float width = hx * static_cast<float>(grid.nx - 1), height = hy * static_cast<float>(grid.ny - 1);
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
-            places.push_back(
-                {hx * static_cast<float>(i), hy * static_cast<float>(j), width, height, static_cast<float>(number)});
         }
     }
 }

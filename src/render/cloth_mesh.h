@@ -18,20 +18,18 @@ struct ClothVertex {
     float pinned;     ///< 2 in the hand, else 1 or 0
     float value;      ///< that colours the cloth, if one does
     float hollow;     ///< how deep in a fold of the front, in [-1, 1]
-};
 
-/// What of a particle stays the same from frame to frame: where it is in the cloth, laid out flat, how large that
-/// is [m], and the cloth's number. Of a solid's point: where it is in its own frame [m], and the solid's kind.
-struct ClothPlace {
-    float u, v, width, height, number;
-    bool operator==(const ClothPlace&) const = default;
+    /// Where it is in the cloth, laid out flat, and how large that is; of a solid's point, where it is in its own
+    /// frame [m].
+    std::array<float, 4> place;
+    float number;  ///< of the cloth, or the solid's kind
 };
-void append_places(const ClothModel& model, int number, std::vector<ClothPlace>& places);
 
 /// The cloth as drawn: particles between their last two positions, with smooth normals.
+/// @param number of the cloth
 /// @param vertices receives one a particle
 /// @par Cost O(n), allocates nothing
-void fill_cloth_vertices(const ClothView& cloth, Real blend, ClothVertex* vertices);
+void fill_cloth_vertices(const ClothView& cloth, int number, Real blend, ClothVertex* vertices);
 
 /// How deep the particles are in folds, from the curvature of the cloth as it is drawn; 0 at its edges.
 /// @par Cost O(n)

@@ -112,9 +112,8 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
         const float back = static_cast<float>(distances_.size() - 1 - points.size()) / static_cast<float>(most - 1);
         points.emplace_back(end - back * (end - line.x), bottom - static_cast<float>(distance / largest) * curve);
     }
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddLine({line.x, bottom}, {end, bottom}, ink::groove);
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), ink::bar, ImDrawFlags_None, curve_width());
+    ImGui::GetWindowDrawList()->AddLine({line.x, bottom}, {end, bottom}, ink::groove);
+    draw_curve(points, ink::bar);
     text_at({line.x, line.y}, ink::quiet, millimetres(largest) + " mm");
     return panel.x;
 }

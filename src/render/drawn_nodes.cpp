@@ -82,10 +82,6 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
     }
 }
 
-void append(const BoundingSphere& sphere, NodeState state, Outlines& outlines) {
-    outlines.spheres.push_back({sphere.centre, sphere.radius, state});
-}
-
 void append(const Obb& box, NodeState state, Outlines& outlines) {
     const auto corner = [&](const Vec3& t) { return Vec3(box.origin + box.axes * t); };
     for (int along = 0; along < 3; ++along) {
@@ -120,23 +116,20 @@ void append(const KDop<K>& dop, NodeState state, Outlines& outlines) {
 
 }  // namespace
 
-void append_outline(const AnyVolume& volume, NodeState state, Outlines& outlines) {
-    std::visit([&](const auto& body) { append(body, state, outlines); }, volume);
+void append_outline(const AnyVolume& volume, Real slack, NodeState state, Outlines& outlines) {
+    const auto append_body = [&](const auto& body) {
+        if constexpr (requires { body.radius; }) {
+            outlines.spheres.push_back({body.centre, body.radius + slack, state});
+        } else {
+            append(body, state, outlines);
+        }
+    };
+    std::visit(append_body, volume);
 }
 
-void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines) {
-    const std::size_t first_sphere = outlines.spheres.size();
-    for (const NodeView& node : nodes) append_outline(node.volume, touched.state_of(node), outlines);
-    for (std::size_t k = first_sphere; k < outlines.spheres.size(); ++k) {
-        outlines.spheres[k].radius += slack;
-    }
-}
-
-void TouchedCells::take(const Grid& grid, std::span<const ContactRow> contacts, bool tested,
-                        std::span<const int> more) {
-    columns_ = grid.cell_columns();
-    tested_ = tested;
-    cells_.assign(more.begin(), more.end());
+TouchedCells::TouchedCells(const Grid& grid, std::span<const ContactRow> contacts, bool tested,
+                           std::span<const int> more)
+    : columns_(grid.cell_columns()), tested_(tested), cells_(more.begin(), more.end()) {
     for (const ContactRow& contact : contacts) cells_.push_back(contact.triangle / 2);
     std::sort(cells_.begin(), cells_.end());
     cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
@@ -171,17 +164,17 @@ void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView
     std::erase_if(nodes, [level](const NodeView& node) { return node.cells.level != level; });
 }
 
-std::span<const NodeView> ShownNodes::list(const FrameView& view, const BroadPhase& hierarchy) {
-    all_.clear();
+std::vector<NodeView> shown_nodes(const FrameView& view, const BroadPhase& hierarchy) {
+    std::vector<NodeView> nodes, of_level;
     const ShownLevel shown = shown_level(view);
     if (!shown.all && hierarchy.levels() > 0) {
-        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), all_);
+        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), nodes);
     }
     for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
-        nodes_of_level(hierarchy, level, of_level_);
-        all_.insert(all_.end(), of_level_.begin(), of_level_.end());
+        nodes_of_level(hierarchy, level, of_level);
+        nodes.insert(nodes.end(), of_level.begin(), of_level.end());
     }
-    return all_;
+    return nodes;
 }
 
 void LevelCounts::add(std::span<const NodeView> added, const TouchedCells& touched) {

@@ -43,10 +43,9 @@ class TouchedCells {
 public:
     /// @param tested whether candidates have been tested: before the first step they have not
     /// @param more cells that touch, in any order
-    void take(const Grid& grid, std::span<const ContactRow> contacts, bool tested, std::span<const int> more = {});
-    void take(const ClothView& cloth, const StepReport& report) {
-        take(cloth.model.grid, cloth.contacts, report.step > 0, cloth.pair_cells);
-    }
+    TouchedCells(const Grid& grid, std::span<const ContactRow> contacts, bool tested, std::span<const int> more = {});
+    TouchedCells(const ClothView& cloth, const StepReport& report)
+        : TouchedCells(cloth.model.grid, cloth.contacts, report.step > 0, cloth.pair_cells) {}
 
     /// @par Cost O(rows log(touched cells))
     [[nodiscard]] bool any_in(const CellRange& cells) const;
@@ -55,8 +54,8 @@ public:
     [[nodiscard]] NodeState state_of(const NodeView& node) const;
 
 private:
-    int columns_ = 1;  ///< of cells
-    bool tested_ = false;
+    int columns_;  ///< of cells
+    bool tested_;
     std::vector<int> cells_;  ///< ascending, each once
 };
 
@@ -72,15 +71,8 @@ ShownLevel shown_level(const FrameView& view);
 /// @param nodes receives them; cleared first
 void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView>& nodes);
 
-/// Lists the nodes of a hierarchy that are shown.
-class ShownNodes {
-public:
-    /// @return those of the shown level or, level after level, all; valid until the next call
-    std::span<const NodeView> list(const FrameView& view, const BroadPhase& hierarchy);
-
-private:
-    std::vector<NodeView> all_, of_level_;
-};
+/// The nodes of a hierarchy that are shown: those of the shown level or, level after level, all.
+std::vector<NodeView> shown_nodes(const FrameView& view, const BroadPhase& hierarchy);
 
 /// What queries did with the nodes of one level.
 struct LevelCounts {
@@ -113,13 +105,10 @@ struct Outlines {
     }
 };
 
-/// Appends nodes of a hierarchy. Spheres are drawn grown by its slack [m]; of other volumes the faces are as fitted.
-void append_nodes(std::span<const NodeView> nodes, Real slack, const TouchedCells& touched, Outlines& outlines);
-
-/// Appends a volume as it is. Edges of boxes without length are left out, and edges of k-DOPs much shorter than the
-/// whole.
+/// Appends the volume of a node. A sphere is drawn grown by the slack of its hierarchy [m]; of other volumes the faces
+/// are as fitted. Edges of boxes without length are left out, and edges of k-DOPs much shorter than the whole.
 /// @par Cost of a k-DOP O(slabs^3)
-void append_outline(const AnyVolume& volume, NodeState state, Outlines& outlines);
+void append_outline(const AnyVolume& volume, Real slack, NodeState state, Outlines& outlines);
 
 /// How much larger a node's volume is than it must be: the radius of its sphere (of the sphere about it, for another
 /// volume), with the hierarchy's slack, over that of the smallest sphere about its particles.
@@ -161,20 +150,21 @@ private:
     static constexpr int frames_between = 30;
 
     // The time is the least of some
-    LevelFit fit_of(const FrameView& view, int level) {
+    [[nodiscard]] LevelFit fit_of(const FrameView& view, int level) const {
         constexpr int repetitions = 3;
         LevelFit fit;
         double count = 0;
+        std::vector<NodeView> nodes;
         for (const ClothView& cloth : view.cloths) {
-            nodes_of_level(*cloth.hierarchy, level, nodes_);
-            for (const NodeView& node : nodes_) {
+            nodes_of_level(*cloth.hierarchy, level, nodes);
+            for (const NodeView& node : nodes) {
                 fit.tightness += tightness(node, cloth.hierarchy->slack(), cloth.model.grid, cloth.x);
                 ++count;
             }
             double least = std::numeric_limits<double>::infinity();
             for (int r = 0; r < repetitions; ++r) {
                 const Stopwatch watch;
-                refit_nodes(*parameters_, cloth.model.grid, cloth.x, nodes_);
+                refit_nodes(*parameters_, cloth.model.grid, cloth.x, nodes);
                 least = std::min(least, watch.seconds());
             }
             fit.seconds += least;
@@ -184,7 +174,6 @@ private:
     }
 
     std::vector<LevelFit> fits_;
-    std::vector<NodeView> nodes_;
     std::optional<BroadPhaseParameters> parameters_;  ///< of the last look
     std::int64_t step_ = -1;
     int frames_ = 0;

@@ -18,9 +18,9 @@ namespace {
 struct Row {
     std::string name;
     std::string value;
-    float part = -1;     // of a bar, in [0, 1]; below 0 there is none
-    int importance = 1;  // rows of the lowest go first where there is no room
+    int importance;  // rows of the lowest go first where there is no room
     ImU32 colour = ink::text;
+    float part = -1;  // of a bar, in [0, 1]; below 0 there is none
     bool opens_group = false;
 };
 
@@ -48,7 +48,7 @@ std::string value_text(double value, std::string_view unit) {
 // Of a part, times get a bar beside them, and counts the count of the whole
 Row report_row(const ReportField& field, const StepReport& report) {
     const double value = field.read(report);
-    Row row{std::string(field.label), value_text(value, field.unit), -1, field.importance};
+    Row row{std::string(field.label), value_text(value, field.unit), field.importance};
     if (field.whole == nullptr) return row;
     const double whole = field.whole(report);
     if (field.unit.empty()) {
@@ -61,12 +61,12 @@ Row report_row(const ReportField& field, const StepReport& report) {
 
 Row state_row(const FrameView& view) {
     const StepReport& report = *view.report;
-    if (report.status == Status::Diverged) return {"state", "diverged", -1, 4, ink::bad};
-    if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", -1, 4, ink::wait};
-    if (report.energy_gain_step > 0) return {"state", "running, gains energy", -1, 4, ink::bad};
-    if (in_doubt(report)) return {"state", "running, unsolved", -1, 4, ink::bad};
-    if (report.asleep) return {"state", "asleep", -1, 4, ink::quiet};
-    return {"state", view.held ? "running, in hand" : "running", -1, 4, ink::good};
+    if (report.status == Status::Diverged) return {"state", "diverged", 4, ink::bad};
+    if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", 4, ink::wait};
+    if (report.energy_gain_step > 0) return {"state", "running, gains energy", 4, ink::bad};
+    if (in_doubt(report)) return {"state", "running, unsolved", 4, ink::bad};
+    if (report.asleep) return {"state", "asleep", 4, ink::quiet};
+    return {"state", view.held ? "running, in hand" : "running", 4, ink::good};
 }
 
 // How near a step is to its limit
@@ -79,7 +79,7 @@ ImU32 limit_colour(double ratio) { return ratio <= 0.9 ? ink::good : ratio <= 1 
 
 void add_speed_row(const FrameView& view, std::vector<Row>& rows) {
     if (const double speed = view.settings->view.speed; speed != 1) {
-        rows.push_back({"speed", format("%.3g x real time", speed), -1, 3, ink::wait});
+        rows.push_back({"speed", format("%.3g x real time", speed), 3, ink::wait});
     }
 }
 
@@ -89,20 +89,13 @@ void add_step_rows(const FrameView& view, std::vector<Row>& rows) {
     const double substep = view.settings->solver.dt / report.substeps;
     std::string text = report.substeps > 1 ? format("%d x ", report.substeps) : "";
     text += format("%.3g ms", 1000 * substep);
-    rows.push_back({"time step", text, -1, 3});
+    rows.push_back({"time step", text, 3});
     add_speed_row(view, rows);
     const double ratio = report.step_limit_ratio;
     if (ratio == 0) return;
-    rows.push_back(
-        {"dt / limit", limit_text(report), static_cast<float>(std::min(ratio, 1.0)), 4, limit_colour(ratio)});
-    if (std::isfinite(ratio)) rows.push_back({"limit", format("%.3g ms", 1000 * substep / ratio), -1, 2});
-}
-
-// The volume, with its fit if that is a sphere's
-std::string volume_text(const ContactSettings& contact) {
-    const std::string& name = name_of(contact.volume);
-    if (contact.volume != VolumeKind::Sphere) return name;
-    return name + ", " + name_of(contact.sphere_fit);
+    const auto part = static_cast<float>(std::min(ratio, 1.0));
+    rows.push_back({"dt / limit", limit_text(report), 4, limit_colour(ratio), part});
+    if (std::isfinite(ratio)) rows.push_back({"limit", format("%.3g ms", 1000 * substep / ratio), 2});
 }
 
 // Of every cell, for every ball; 0 where no hierarchy saves any
@@ -111,12 +104,6 @@ double tests_of_brute_force(const FrameView& view) {
     double cells = 0;
     for (const ClothView& cloth : view.cloths) cells += cloth.model.grid.cells();
     return cells * static_cast<double>(view.balls.size());
-}
-
-Row candidates_row(const FrameView& view) {
-    std::string text = grouped(static_cast<double>(view.report->traversal.candidates));
-    if (const double all = tests_of_brute_force(view); all > 0) text += " of " + grouped(all);
-    return {"candidates", text, -1, 2};
 }
 
 // Whether a ball can have most of a cloth near it: its diameter is more than half of the cloth's shorter side
@@ -144,12 +131,12 @@ std::string slow_reason(const FrameView& view) {
 void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr) return;
     const double time = view.search->hierarchy, brute = view.search->brute_force;
-    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), -1, 2});
-    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), -1, 2,
+    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), 2});
+    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), 2,
                     brute > time ? ink::good : ink::wait});
     if (brute > time) return;
     const std::string reason = slow_reason(view);
-    rows.push_back({"why slower", reason + (reason == "large ball" ? ": see 9" : ": U, T"), -1, 2, ink::wait});
+    rows.push_back({"why slower", reason + (reason == "large ball" ? ": see 9" : ": U, T"), 2, ink::wait});
 }
 
 // What it saves of the tests that brute force makes. Where a cloth is small and most of it near a ball, that is none.
@@ -162,7 +149,7 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const std::string reason = slow_reason(view);
     const std::string none = reason == "slow update" ? "none" : "none: " + reason;
     const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : none;
-    rows.push_back({"tests saved", text, -1, 3, saved > 0.05 ? ink::good : ink::wait});
+    rows.push_back({"tests saved", text, 3, saved > 0.05 ? ink::good : ink::wait});
 }
 
 // What stands above the figures of a group
@@ -170,11 +157,13 @@ void add_rows_ahead(ReportGroup group, const FrameView& view, std::vector<Row>& 
     const Settings& settings = *view.settings;
     if (group == ReportGroup::Time) {
         rows.push_back(state_row(view));
-        rows.push_back({"integrator", name_of(settings.solver.integrator), -1, 4});
+        rows.push_back({"integrator", name_of(settings.solver.integrator), 4});
         add_step_rows(view, rows);
     } else if (group == ReportGroup::Hierarchy) {
-        rows.push_back({"volume", volume_text(settings.contact), -1, 2});
-        rows.push_back({"update", name_of(settings.contact.update), -1, 1});
+        const ContactSettings& contact = settings.contact;
+        const std::string fit = contact.volume == VolumeKind::Sphere ? ", " + name_of(contact.sphere_fit) : "";
+        rows.push_back({"volume", name_of(contact.volume) + fit, 2});
+        rows.push_back({"update", name_of(contact.update), 1});
         add_saved_row(view, rows);
         add_search_rows(view, rows);
     }
@@ -182,9 +171,9 @@ void add_rows_ahead(ReportGroup group, const FrameView& view, std::vector<Row>& 
 
 // Of what is at rest there is no rate. Where the window draws fast, the picture says so
 Row rate_row(const FrameView& view, const FrameReport& last) {
-    if (is_at_rest(view)) return {"FPS", view.paused ? "paused" : "asleep", -1, 3};
+    if (is_at_rest(view)) return {"FPS", view.paused ? "paused" : "asleep", 3};
     const std::string rate = format("%.1f", last.rate);
-    return view.prefer_speed ? Row{"FPS", rate + ", coarse", -1, 3, ink::wait} : Row{"FPS", rate, -1, 3};
+    return view.prefer_speed ? Row{"FPS", rate + ", coarse", 3, ink::wait} : Row{"FPS", rate, 3};
 }
 
 // Where energy went to and came from, while a ledger is kept
@@ -204,9 +193,9 @@ void add_compact_rows(const FrameView& view, const FrameReport& last, std::vecto
     add_speed_row(view, rows);
     const StepReport& report = *view.report;
     const double ratio = report.step_limit_ratio;
-    if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(report), -1, 3, limit_colour(ratio)});
+    if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(report), 3, limit_colour(ratio)});
     const std::string pairs = report.pairs > 0 ? ", " + grouped(static_cast<double>(report.pairs)) + " pairs" : "";
-    rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)) + pairs, -1, 3});
+    rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)) + pairs, 3});
     add_saved_row(view, rows);
     add_search_rows(view, rows);
     add_balance_rows(view, rows);
@@ -215,6 +204,7 @@ void add_compact_rows(const FrameView& view, const FrameReport& last, std::vecto
 // Every figure of a step that has a label, group by group
 void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
     const bool limited = !broad_phase_of(*view.settings).search.none();
+    const double all_cells = tests_of_brute_force(view);
     const ReportField* before = nullptr;
     for (const ReportField& field : report_fields()) {
         if (field.label.empty() || (field.group == ReportGroup::Limit && !limited)) continue;
@@ -224,7 +214,8 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
         const bool opens = before == nullptr || before->group != field.group;
         const std::size_t first = rows.size();
         if (opens) add_rows_ahead(field.group, view, rows);
-        rows.push_back(field.name == "candidates" ? candidates_row(view) : report_row(field, *view.report));
+        rows.push_back(report_row(field, *view.report));
+        if (field.name == "candidates" && all_cells > 0) rows.back().value += " of " + grouped(all_cells);
         rows[first].opens_group = opens && before != nullptr;
         before = &field;
     }
@@ -233,9 +224,9 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
 void add_cost_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
     rows.push_back(rate_row(view, last));
     rows.back().opens_group = true;
-    rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), -1, 2});
-    rows.push_back({"GL calls", grouped(last.gl_calls), -1, 2});
-    rows.push_back({"vertices", grouped(last.vertices), -1, 2});
+    rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), 2});
+    rows.push_back({"GL calls", grouped(last.gl_calls), 2});
+    rows.push_back({"vertices", grouped(last.vertices), 2});
 }
 
 float height_of(const std::vector<Row>& rows, float line, float gap) {
@@ -311,7 +302,7 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
         add_report_rows(view, rows);
         add_cost_rows(view, last, rows);
         // What the lines on the ground are apart
-        if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", -1, 1});
+        if (view.settings->view.grid) rows.push_back({"ground grid", "10 cm, 1 m", 1});
     }
 
     // As large as it must be, at most as the picture

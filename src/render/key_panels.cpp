@@ -14,6 +14,26 @@ constexpr float unwrapped = 1e6f;      // wider than any text [pixel]
 constexpr float columns_apart = 2;     // [margin]
 constexpr float above_heading = 0.4f;  // that is free [row]
 
+// Widths of keys and of their texts beside them; both are wrapped where they are too long [pixel]
+struct KeyColumns {
+    float keys = 0, gap = 0, texts = 0;
+    [[nodiscard]] float width() const { return keys + gap + texts; }
+};
+
+// How the lines of a panel stand beside and below one another
+struct KeyLayout {
+    KeyColumns widths;                // of each column
+    std::vector<std::size_t> starts;  // the first line of each column
+    float row;                        // height of a line [pixel]
+    float height = 0;                 // of the highest column [pixel]
+
+    // Of the panel, its margins included [pixel]
+    [[nodiscard]] ImVec2 size(float margin) const {
+        const auto columns = static_cast<float>(starts.size());
+        return {columns * widths.width() + ((columns - 1) * columns_apart + 2) * margin, height + 2 * margin};
+    }
+};
+
 KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
     KeyColumns columns{.gap = ImGui::GetFontSize()};
     for (const KeyHelp& line : lines) {
@@ -69,7 +89,7 @@ std::span<const KeyHelp> kept_together(std::span<const KeyHelp> lines) {
 
 // Columns that are no higher than this, but for a group or a line that is higher by itself
 KeyLayout filled_columns(std::span<const KeyHelp> lines, const KeyColumns& widths, float row, float height) {
-    KeyLayout layout{widths, {0}, row, 0};
+    KeyLayout layout{widths, {0}, row};
     float filled = 0;
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const float together = height_of(kept_together(lines.subspan(k)), widths, row);
@@ -89,18 +109,13 @@ KeyLayout even_columns(std::span<const KeyHelp> lines, const KeyColumns& widths,
     }
 }
 
-}  // namespace
-
-ImVec2 KeyLayout::size(float margin) const {
-    const auto columns = static_cast<float>(starts.size());
-    return {columns * widths.width() + ((columns - 1) * columns_apart + 2) * margin, height + 2 * margin};
-}
-
+// Of the panel the width, and of a line the height, margins included
 KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, float margin) {
     return even_columns(lines, columns_of(lines, width - 2 * margin), row, 1);
 }
 
-KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
+// In two columns, or as many as there is room for; nothing where they would be too high, or too narrow to read
+std::optional<KeyLayout> lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin) {
     const float widest = columns_of(lines, unwrapped).width();
     for (const std::size_t count : {2u, 1u, 3u}) {
         const auto columns = static_cast<float>(count);
@@ -113,11 +128,10 @@ KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height
             if (layout.height + 2 * margin <= height) return layout;
         }
     }
-    KeyLayout cut = one_column(lines, width, ImGui::GetTextLineHeight(), margin);
-    cut.whole = false;
-    return cut;
+    return std::nullopt;
 }
 
+// Cut where it is higher than its box
 void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const PanelBox& box, float margin) {
     draw_panel(box);
     ImGui::PushClipRect({box.left, box.top}, {box.right, box.bottom}, true);
@@ -129,6 +143,45 @@ void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const Pa
         corner.x += layout.widths.width() + columns_apart * margin;
     }
     ImGui::PopClipRect();
+}
+
+}  // namespace
+
+bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, float right,
+                bool beside) {
+    const float margin = page.margin;
+    const float left = margin + (beside ? figures_columns * fonts.back().size + 3 * margin : 0);
+    for (std::size_t font = fonts.size(); font-- > 0;) {
+        fonts[font].push();
+        std::optional<KeyLayout> layout = lay_out_help(lines, right - left, page.height - 2 * margin, margin);
+        // Nothing is left that would help: cut
+        if (!layout && font == 0 && !beside) {
+            layout = one_column(lines, right - left, ImGui::GetTextLineHeight(), margin);
+        }
+        if (layout) {
+            const ImVec2 size = layout->size(margin);
+            const float bottom = std::min(margin + size.y, page.height - margin);
+            key_panel(lines, *layout, {right - size.x, margin, right, bottom}, margin);
+        }
+        ImGui::PopFont();
+        if (layout) return beside;
+    }
+    return help_panel(lines, fonts, page, right, false);
+}
+
+void hint_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,
+                const std::vector<PanelBox>& others) {
+    for (std::size_t font = fonts.size(); font-- > 0;) {
+        fonts[font].push();
+        const float row = ImGui::GetTextLineHeightWithSpacing();
+        const auto within = [&](float width) { return one_column(lines, width, row, page.margin); };
+        const auto size_within = [&](float width) { return within(width).size(page.margin); };
+        const float least = std::min(size_within(unwrapped).x, hint_columns * ImGui::GetFontSize());
+        const std::optional<PanelBox> box = free_place(page, others, size_within, least, false);
+        if (box) key_panel(lines, within(box->right - box->left + 0.5f), *box, page.margin);
+        ImGui::PopFont();
+        if (box) return;
+    }
 }
 
 }  // namespace drape

@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "node_pick.h"
+
 namespace drape {
 
 namespace {
@@ -131,21 +133,22 @@ void draw_colours(ImVec2 corner, float column) {
 
 }  // namespace
 
-float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage& page) {
+float hierarchy_panel(const FrameView& view, LevelFits& fits, float taken, const OverlayPage& page) {
     const ShownLevel shown = shown_level(view);
-    counts_.assign(static_cast<std::size_t>(shown.levels), {});
+    std::vector<LevelCounts> counts(static_cast<std::size_t>(shown.levels));
+    std::vector<NodeView> nodes;
     for (const ClothView& cloth : view.cloths) {
-        touched_.take(cloth, *view.report);
+        const TouchedCells touched(cloth, *view.report);
         for (int level = 0; level < cloth.hierarchy->levels(); ++level) {
-            nodes_of_level(*cloth.hierarchy, level, nodes_);
-            counts_[static_cast<std::size_t>(level)].add(nodes_, touched_);
+            nodes_of_level(*cloth.hierarchy, level, nodes);
+            counts[static_cast<std::size_t>(level)].add(nodes, touched);
         }
     }
     const float row = ImGui::GetTextLineHeightWithSpacing(), gap = 0.45f * ImGui::GetFontSize();
     const float width = table_width() + 2 * page.margin;
     float height = row + 2 * page.margin;
     const std::vector<std::string> lines = notes(view);
-    const auto rows = static_cast<float>(counts_.size() + 1), note_rows = static_cast<float>(lines.size());
+    const auto rows = static_cast<float>(counts.size() + 1), note_rows = static_cast<float>(lines.size());
     if (shown.levels > 0) height += (rows + note_rows + 3) * row + 3 * gap;
 
     const auto start = begin_legend(heading(view, shown), {width, height}, taken, page);
@@ -153,7 +156,7 @@ float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage
     ImVec2 line = *start;
     if (shown.levels > 0) {
         line.y += row + gap;
-        draw_levels(line, counts_, fits_.look(view, shown.levels), shown);
+        draw_levels(line, counts, fits.look(view, shown.levels), shown);
         line.y += rows * row + gap;
         for (const std::string& note : lines) {
             text_at(line, ink::quiet, note);
@@ -165,8 +168,8 @@ float HierarchyPanel::draw(const FrameView& view, float taken, const OverlayPage
     return height + page.margin;
 }
 
-void HierarchyPanel::name_node(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page) {
-    const auto pick = picker_.pick(view, camera, x, y, static_cast<int>(page.width), static_cast<int>(page.height));
+void node_panel(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page) {
+    const auto pick = pick_node(view, camera, x, y, static_cast<int>(page.width), static_cast<int>(page.height));
     if (!pick) return;
     const std::string title = node_title(*pick, view), reason = node_reason(*pick, view);
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), rim = 0.5f * size;

@@ -46,8 +46,10 @@ public:
             show_pins_ = show_pins_ || (cloth.model.inverse_mass == 0).any();
             if (shown.contacts) contact_count_ += static_cast<int>(cloth.contacts.size());
             if (!shown.bounds) continue;
-            touched_.take(cloth, *view.report);
-            append_nodes(nodes_.list(view, *cloth.hierarchy), cloth.hierarchy->slack(), touched_, bounds_);
+            const TouchedCells touched(cloth, *view.report);
+            for (const NodeView& node : shown_nodes(view, *cloth.hierarchy)) {
+                append_outline(node.volume, cloth.hierarchy->slack(), touched.state_of(node), bounds_);
+            }
         }
         if (!view.cloths.empty()) {
             const ClothModel& model = view.cloths.front().model;
@@ -101,29 +103,11 @@ public:
             particle_program_.use();
             gl_.draw_arrays(GL_POINTS, particle_count_);
         }
-        if (show_pins_) {
-            pin_program_.use();
-            springs_.bind();
-            gl_.draw_arrays(GL_POINTS, particle_count_);
-        }
-        if (contact_count_ > 0) {
-            contact_program_.use();
-            contacts_.bind();
-            gl_.draw_arrays(GL_TRIANGLES, contact_vertices, contact_count_);
-        }
-        if (!bounds_.spheres.empty()) {
-            sphere_program_.use();
-            spheres_.bind();
-            draw_seen_and_hidden([this] {
-                gl_.draw_arrays(GL_LINES, 2 * circles_per_sphere * segments(),
-                                static_cast<int>(bounds_.spheres.size()));
-            });
-        }
-        if (!bounds_.edges.empty()) {
-            edge_program_.use();
-            edges_.bind();
-            draw_seen_and_hidden([this] { gl_.draw_arrays(GL_LINES, 2 * static_cast<int>(bounds_.edges.size())); });
-        }
+        if (show_pins_) draw(pin_program_, springs_, GL_POINTS, particle_count_, 1);
+        if (contact_count_ > 0) draw(contact_program_, contacts_, GL_TRIANGLES, contact_vertices, contact_count_);
+        const auto spheres = static_cast<int>(bounds_.spheres.size()), edges = static_cast<int>(bounds_.edges.size());
+        if (spheres > 0) draw_seen_and_hidden(sphere_program_, spheres_, 2 * circles_per_sphere * segments(), spheres);
+        if (edges > 0) draw_seen_and_hidden(edge_program_, edges_, 2 * edges, 1);
         if (failed) {
             failure_program_.use();
             gl_(glBindVertexArray, no_vertices_.name());
@@ -212,13 +196,18 @@ private:
         }
     }
 
-    /// Fainter where something is before it. Nothing that asks for depths may be drawn afterwards.
-    template <class Draw>
-    void draw_seen_and_hidden(Draw draw) {
-        draw();
+    void draw(const Program& program, StreamArray& array, GLenum mode, int vertices, int instances) {
+        program.use();
+        array.bind();
+        gl_.draw_arrays(mode, vertices, instances);
+    }
+
+    /// Lines, fainter where something is before them. Nothing that asks for depths may be drawn afterwards.
+    void draw_seen_and_hidden(const Program& program, StreamArray& array, int vertices, int instances) {
+        draw(program, array, GL_LINES, vertices, instances);
         gl_(glVertexAttrib1f, hidden_attribute, 1.0f);
         gl_(glDepthFunc, GL_GREATER);
-        draw();
+        gl_.draw_arrays(GL_LINES, vertices, instances);
         gl_(glDepthFunc, GL_LEQUAL);
         gl_(glVertexAttrib1f, hidden_attribute, 0.0f);
     }
@@ -232,8 +221,6 @@ private:
     Buffer spring_indices_{gl_};
     std::vector<Grid> grids_;
     Outlines bounds_;  ///< and structural springs and balls of the other simulation, and strains of cells
-    ShownNodes nodes_;
-    TouchedCells touched_;
     bool show_particles_ = false;
     bool show_pins_ = false;
     int particle_count_ = 0, contact_count_ = 0;

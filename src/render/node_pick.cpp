@@ -29,10 +29,8 @@ std::string length_text(Real length) {
     return metres < 1 ? format("%.1f cm", 100 * metres) : format("%.2f m", metres);
 }
 
-}  // namespace
-
 /// The pointer and what is drawn, in the picture, and of the lines so far the one that is nearest to the pointer.
-struct NodePicker::Pointed {
+struct Pointed {
     Eigen::Matrix4f projection;
     Vec3 eye;
     Eigen::Vector2f size, pointer;          // [pixel]
@@ -92,8 +90,51 @@ struct NodePicker::Pointed {
     }
 };
 
-std::optional<NodePick> NodePicker::pick(const FrameView& view, const Camera& camera, int x, int y, int width,
-                                         int height) {
+bool has_nearer_line(const NodeView& node, Real slack, Pointed& pointed) {
+    BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
+    about.radius += slack;
+    if (pointed.is_beside(about)) return false;
+    Outlines outlines;
+    append_outline(node.volume, slack, NodeState::Unvisited, outlines);
+    bool nearer = false;
+    for (const Outlines::Sphere& sphere : outlines.spheres) nearer |= pointed.nears(sphere);
+    for (const Outlines::Edge& edge : outlines.edges) nearer |= pointed.nears(edge.from, edge.to);
+    return nearer;
+}
+
+std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray) {
+    const Pick hit = pick_particle(view, ray);
+    if (hit.particle < 0) return std::nullopt;
+    const auto number = static_cast<std::size_t>(hit.cloth);
+    const ClothView& cloth = view.cloths[number];
+    const Grid& grid = cloth.model.grid;
+    const int i = std::min(hit.particle % grid.nx, grid.cell_columns() - 1);
+    const int j = std::min(hit.particle / grid.nx, grid.cell_rows() - 1);
+    const std::vector<NodeView> shown = shown_nodes(view, *cloth.hierarchy);
+    const auto holds = [&](const NodeView& node) { return node.cells.holds(i, j); };
+    const auto found = std::find_if(shown.rbegin(), shown.rend(), holds);
+    if (found == shown.rend()) return std::nullopt;
+    return NodePick{.cloth = number, .node = *found};
+}
+
+void complete(const FrameView& view, NodePick& pick) {
+    const ClothView& cloth = view.cloths[pick.cloth];
+    pick.state = TouchedCells(cloth, *view.report).state_of(pick.node);
+    std::vector<NodeView> nodes;
+    nodes_of_level(*cloth.hierarchy, pick.node.cells.level, nodes);
+    const CellRange& cells = pick.node.cells;
+    const auto same = [&](const NodeView& node) { return static_cast<const CellRange&>(node.cells) == cells; };
+    pick.number = static_cast<int>(std::ranges::find_if(nodes, same) - nodes.begin());
+    pick.gap = std::numeric_limits<Real>::infinity();
+    const Real room = view.settings->contact.thickness + cloth.hierarchy->slack();
+    for (const Ball& ball : view.balls) {
+        pick.gap = std::min(pick.gap, gap_to_ball(pick.node.volume, grown(ball, room)));
+    }
+}
+
+}  // namespace
+
+std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, int x, int y, int width, int height) {
     if (x < 0 || y < 0 || x >= width || y >= height) return std::nullopt;
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     Pointed pointed{camera.projection_matrix(aspect) * camera.view_matrix(),
@@ -103,55 +144,13 @@ std::optional<NodePick> NodePicker::pick(const FrameView& view, const Camera& ca
     std::optional<NodePick> best;
     for (std::size_t c = 0; c < view.cloths.size(); ++c) {
         const BroadPhase& hierarchy = *view.cloths[c].hierarchy;
-        for (const NodeView& node : shown_.list(view, hierarchy)) {
+        for (const NodeView& node : shown_nodes(view, hierarchy)) {
             if (has_nearer_line(node, hierarchy.slack(), pointed)) best = {.cloth = c, .node = node};
         }
     }
     if (!best) best = node_on_cloth(view, camera.ray(x, y, width, height));
     if (best) complete(view, *best);
     return best;
-}
-
-bool NodePicker::has_nearer_line(const NodeView& node, Real slack, Pointed& pointed) {
-    BoundingSphere about = std::visit([](const auto& volume) { return volume.sphere(); }, node.volume);
-    about.radius += slack;
-    if (pointed.is_beside(about)) return false;
-    outlines_.clear();
-    append_nodes({&node, 1}, slack, TouchedCells(), outlines_);
-    bool nearer = false;
-    for (const Outlines::Sphere& sphere : outlines_.spheres) nearer |= pointed.nears(sphere);
-    for (const Outlines::Edge& edge : outlines_.edges) nearer |= pointed.nears(edge.from, edge.to);
-    return nearer;
-}
-
-std::optional<NodePick> NodePicker::node_on_cloth(const FrameView& view, const Ray& ray) {
-    const Pick hit = pick_particle(view, ray);
-    if (hit.particle < 0) return std::nullopt;
-    const auto number = static_cast<std::size_t>(hit.cloth);
-    const ClothView& cloth = view.cloths[number];
-    const Grid& grid = cloth.model.grid;
-    const int i = std::min(hit.particle % grid.nx, grid.cell_columns() - 1);
-    const int j = std::min(hit.particle / grid.nx, grid.cell_rows() - 1);
-    const std::span<const NodeView> shown = shown_.list(view, *cloth.hierarchy);
-    const auto holds = [&](const NodeView& node) { return node.cells.holds(i, j); };
-    const auto found = std::find_if(shown.rbegin(), shown.rend(), holds);
-    if (found == shown.rend()) return std::nullopt;
-    return NodePick{.cloth = number, .node = *found};
-}
-
-void NodePicker::complete(const FrameView& view, NodePick& pick) {
-    const ClothView& cloth = view.cloths[pick.cloth];
-    touched_.take(cloth, *view.report);
-    pick.state = touched_.state_of(pick.node);
-    nodes_of_level(*cloth.hierarchy, pick.node.cells.level, nodes_);
-    const CellRange& cells = pick.node.cells;
-    const auto same = [&](const NodeView& node) { return static_cast<const CellRange&>(node.cells) == cells; };
-    pick.number = static_cast<int>(std::ranges::find_if(nodes_, same) - nodes_.begin());
-    pick.gap = std::numeric_limits<Real>::infinity();
-    const Real room = view.settings->contact.thickness + cloth.hierarchy->slack();
-    for (const Ball& ball : view.balls) {
-        pick.gap = std::min(pick.gap, gap_to_ball(pick.node.volume, grown(ball, room)));
-    }
 }
 
 Real gap_to_ball(const AnyVolume& volume, const Ball& ball) {

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "drape/render/camera.h"
 #include "drawn_nodes.h"
@@ -20,23 +19,9 @@ struct NodePick {
 
 /// Finds the node under the pointer: of the drawn one whose line is nearest to it, within a few pixels; else of the
 /// shown level, or of the leaves, the one that holds the cloth there.
-class NodePicker {
-public:
-    /// @param x, y of the pointer, from the upper left [pixel]
-    /// @par Cost O(nodes shown), and O(triangles) where no line is near
-    std::optional<NodePick> pick(const FrameView& view, const Camera& camera, int x, int y, int width, int height);
-
-private:
-    struct Pointed;
-    bool has_nearer_line(const NodeView& node, Real slack, Pointed& pointed);
-    [[nodiscard]] std::optional<NodePick> node_on_cloth(const FrameView& view, const Ray& ray);
-    void complete(const FrameView& view, NodePick& pick);
-
-    ShownNodes shown_;
-    std::vector<NodeView> nodes_;
-    Outlines outlines_;
-    TouchedCells touched_;
-};
+/// @param x, y of the pointer, from the upper left [pixel]
+/// @par Cost O(nodes shown), and O(triangles) where no line is near
+std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, int x, int y, int width, int height);
 
 /// The gap between a volume and a ball, as the test of the query sees it: by how much the ball must grow to overlap,
 /// or, less than zero, may shrink until it no longer does; at most its radius. Found by halving.

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::array<float, 8> font_sizes{11, 14, 17, 22, 28, 36, 46, 60};  // pixel
 
-constexpr float hint_columns = 24;  // that a hint is wide at least, if its text is [font size]
-
 // Below this nothing could be read
 constexpr int least_width = 120, least_height = 60;
 
@@ -137,6 +135,39 @@ ImVec2 notices_size(std::span<const std::string> notices, float most_width, floa
     return {size.x + 2 * margin, size.y + 2 * margin};
 }
 
+// At the top where there is room for it beside the others, else at the bottom; what is said is never left out
+float notice_panel(std::span<const std::string> notices, std::span<const PanelFont> fonts, const OverlayPage& page,
+                   const std::vector<PanelBox>& others, bool at_top) {
+    const float margin = page.margin;
+    const auto size_within = [&](float width) { return notices_size(notices, width, margin); };
+    std::optional<PanelBox> box;
+    for (std::size_t font = fonts.size(); font-- > 0 && !box;) {
+        fonts[font].push();
+        const float least = std::min(size_within(1e6f).x, 20 * ImGui::GetFontSize());
+        if (at_top) box = free_place(page, others, size_within, least, true);
+        if (!box) box = free_place(page, others, size_within, least, false);
+        // Rather many short lines than over another panel
+        if (!box && font == 0) box = free_place(page, others, size_within, 9 * ImGui::GetFontSize(), at_top);
+        if (!box && font == 0) {
+            const ImVec2 size = size_within(page.width - 2 * margin);
+            box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};
+        }
+        if (box) {
+            draw_panel(*box);
+            ImVec2 line{box->left + margin, box->top + margin};
+            const float most = box->right - box->left - 2 * margin + 1;
+            ImGui::PushTextWrapPos(line.x + most);
+            for (const std::string& notice : notices) {
+                text_at(line, ink::wait, notice);
+                line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
+            }
+            ImGui::PopTextWrapPos();
+        }
+        ImGui::PopFont();
+    }
+    return box->top;
+}
+
 }  // namespace
 
 OverlayPanels::OverlayPanels() {
@@ -217,7 +248,6 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     comparison_.keep(view);
     const bool showing_help = shown.help && !help.empty();
     const bool showing_panel = shown.panel != PanelSize::Off;
-    const bool showing_time = is_timeline_due(view);
     const bool hinted = !hint.empty() && !showing_help;
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height) {
@@ -249,28 +279,20 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     ImGui::Begin("overlay", nullptr, window_flags);
     OverlayPage page{w, h, margin};
     const float font = font_sizes[size];
+    const std::span fonts(fonts_.data(), size + 1);
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    timeline_ = showing_time ? timeline_place(page) : PanelBox{};
-    if (showing_time) page.height = timeline_.top;
-    if (shown.controls) {
-        settings.place(page);
-        boxes_.push_back(settings.window);
-    } else {
-        settings.hide();
-    }
+    timeline_ = timeline_panel(view, page, wishes.step);
+    if (shows_timeline()) page.height = timeline_.top;
+    shown.controls ? settings.draw(view, page) : settings.hide();
     const float right = shown.controls ? settings.window.left - margin : w - margin;
 
     // Help is nearly as high as the page: above notices
-    if (showing_help && !notices.empty()) page.height = notice_panel(notices, page, size, false);
+    if (showing_help && !notices.empty()) page.height = notice_panel(notices, fonts, page, boxes_, false);
 
     // Help goes first where there is no room beside it
-    std::optional<Help> help_shown;
     bool beside = showing_panel;
-    if (showing_help) {
-        help_shown = choose_help(page, right, showing_panel, size);
-        if (!help_shown->layout.whole) beside = false, help_shown = choose_help(page, right, false, size);
-    }
+    if (showing_help) beside = help_panel(help, fonts, page, right, showing_panel);
     // Nor is there room for a hint beside both other panels of a narrow page
     const float middle = right - 3 * margin - figures_columns * font;
     if (hinted && shown.controls && middle < hint_columns * font) beside = false;
@@ -278,27 +300,16 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (beside) left = figures_panel(view, last, fonts_[size + 1], page) + margin;
     // On a small page a hint is worth more than legends
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
-    if (help_shown) {
-        fonts_[help_shown->font].push();
-        const ImVec2 size_of_all = help_shown->layout.size(margin);
-        const float bottom = std::min(margin + size_of_all.y, page.height - margin);
-        key_panel(help, help_shown->layout, {right - size_of_all.x, margin, right, bottom}, margin);
-        ImGui::PopFont();
-    } else {
+    if (!showing_help) {
         const bool compared = view.comparison != nullptr && comparison_.draw(view, page, left, right) < right;
         const bool low = compared && page.height < 46 * font;
         if (showing_panel && legend_room && !low) legends(view, left - margin, {right + margin, page.height, margin});
     }
-    if (!showing_help && !notices.empty()) notice_panel(notices, page, size, true);
-    if (hinted) hint_panel(page, size);
+    if (!showing_help && !notices.empty()) notice_panel(notices, fonts, page, boxes_, true);
+    if (hinted) hint_panel(hint, fonts, page, boxes_);
     const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
-    if (names_nodes && !at_settings) hierarchy_.name_node(view, camera, hover_x, hover_y, {w, h, margin});
+    if (names_nodes && !at_settings) node_panel(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
-    if (shown.controls) settings.draw(view, page);
-    if (showing_time) {
-        if (const auto step = timeline_panel(view.timeline, timeline_)) wishes.step = step;
-        boxes_.push_back(timeline_);
-    }
     menu.draw(view, {w, h, margin});
     forget_input();
     ImGui::PopFont();
@@ -307,7 +318,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
 }
 
 void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page) {
-    if (view.settings->view.bounds) page.height -= hierarchy_.draw(view, taken, page);
+    if (view.settings->view.bounds) page.height -= hierarchy_panel(view, fits_, taken, page);
     if (const double full = view.settings->view.contacts ? full_force(view) : 0; full > 0) {
         page.height -= line_panel(format("force on cloth; longest: %g mN", 1e3 * full), hold_looks, taken, page);
     }
@@ -316,66 +327,6 @@ void OverlayPanels::legends(const FrameView& view, float taken, OverlayPage page
                                   std::span(node_looks).last(2), taken, page);
     }
     if (colours.by != ColourBy::Plain) colour_panel(colours, shown_level(view).level, taken, page);
-}
-
-// The largest font, up to one, in which all keys are seen
-OverlayPanels::Help OverlayPanels::choose_help(const OverlayPage& page, float right, bool beside,
-                                               std::size_t font) const {
-    const float left = page.margin + (beside ? figures_columns * font_sizes[font] + 3 * page.margin : 0);
-    for (std::size_t smaller = font;; --smaller) {
-        fonts_[smaller].push();
-        KeyLayout layout = lay_out_help(help, right - left, page.height - 2 * page.margin, page.margin);
-        ImGui::PopFont();
-        if (layout.whole || smaller == 0) return {smaller, std::move(layout)};
-    }
-}
-
-// In a smaller font where there is no room
-void OverlayPanels::hint_panel(const OverlayPage& page, std::size_t font) const {
-    for (std::size_t smaller = font + 1; smaller-- > 0;) {
-        fonts_[smaller].push();
-        const float row = ImGui::GetTextLineHeightWithSpacing();
-        const auto within = [&](float width) { return one_column(hint, width, row, page.margin); };
-        const auto size_within = [&](float width) { return within(width).size(page.margin); };
-        const float least = std::min(size_within(1e6f).x, hint_columns * ImGui::GetFontSize());
-        const std::optional<PanelBox> box = free_place(page, boxes_, size_within, least, false);
-        if (box) key_panel(hint, within(box->right - box->left + 0.5f), *box, page.margin);
-        ImGui::PopFont();
-        if (box) return;
-    }
-}
-
-// At the top where there is room for it beside the others, else at the bottom; what is said is never left out
-float OverlayPanels::notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
-                                  bool at_top) const {
-    const float margin = page.margin;
-    const auto size_within = [&](float width) { return notices_size(notices, width, margin); };
-    std::optional<PanelBox> box;
-    for (std::size_t smaller = font + 1; smaller-- > 0 && !box;) {
-        fonts_[smaller].push();
-        const float least = std::min(size_within(1e6f).x, 20 * ImGui::GetFontSize());
-        if (at_top) box = free_place(page, boxes_, size_within, least, true);
-        if (!box) box = free_place(page, boxes_, size_within, least, false);
-        // Rather many short lines than over another panel
-        if (!box && smaller == 0) box = free_place(page, boxes_, size_within, 9 * ImGui::GetFontSize(), at_top);
-        if (!box && smaller == 0) {
-            const ImVec2 size = size_within(page.width - 2 * margin);
-            box = PanelBox{margin, margin, margin + size.x, std::min(margin + size.y, page.height - margin)};
-        }
-        if (box) {
-            draw_panel(*box);
-            ImVec2 line{box->left + margin, box->top + margin};
-            const float most = box->right - box->left - 2 * margin + 1;
-            ImGui::PushTextWrapPos(line.x + most);
-            for (const std::string& notice : notices) {
-                text_at(line, ink::wait, notice);
-                line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
-            }
-            ImGui::PopTextWrapPos();
-        }
-        ImGui::PopFont();
-    }
-    return box->top;
 }
 
 }  // namespace drape

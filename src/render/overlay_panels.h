@@ -52,22 +52,11 @@ public:
     SettingsPanel settings{wishes};
     MenuPanel menu{settings, wishes};
     ColourScale colours;     ///< of the cloth in this frame
-    double full_strain = 0;  ///< see `StrainCrosses::full`
+    double full_strain = 0;  ///< as in `StrainCrosses`
 
 private:
     void legends(const FrameView& view, float taken, OverlayPage page);
-    void hint_panel(const OverlayPage& page, std::size_t font) const;
-    float notice_panel(std::span<const std::string> notices, const OverlayPage& page, std::size_t font,
-                       bool at_top) const;
-
-    struct Help {
-        std::size_t font;  ///< of `fonts_`
-        KeyLayout layout;
-    };
-    [[nodiscard]] Help choose_help(const OverlayPage& page, float right, bool beside, std::size_t font) const;
-
     void hand_over_input();
-
     void forget_input();
 
     /// What has come and was not seen yet: each frame sees one press or release, where it was.
@@ -80,7 +69,7 @@ private:
     };
 
     StepMedians step_medians_;
-    HierarchyPanel hierarchy_;
+    LevelFits fits_;
     PlotHistory plots_;
     ComparisonPanel comparison_;
     PanelBox timeline_;

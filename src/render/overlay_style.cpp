@@ -3,6 +3,7 @@
 namespace drape {
 
 bool begin_window(const PanelBox& box, const char* name, int flags, float padding) {
+    add_panel(box);
     ImGui::SetNextWindowPos({box.left, box.top});
     ImGui::SetNextWindowSize({box.width(), box.bottom - box.top});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});

@@ -74,18 +74,26 @@ struct PanelFont {
     }
 };
 
-/// Draws a panel's ground, and adds it to the panels of the frame, which are Dear ImGui's user data.
-/// All panels are parts of one window as large as the picture, so that the overlay is one draw call.
+/// Adds a panel to those of the frame, which are Dear ImGui's user data.
+inline void add_panel(const PanelBox& box) {
+    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) boxes->push_back(box);
+}
+
+/// Draws a panel's ground, and adds it. All such panels are parts of one window as large as the picture, so that the
+/// overlay is one draw call.
 inline void draw_panel(const PanelBox& box) {
     const float rounding = 8;
-    if (auto* boxes = static_cast<std::vector<PanelBox>*>(ImGui::GetIO().UserData)) boxes->push_back(box);
+    add_panel(box);
     ImGui::GetWindowDrawList()->AddRectFilled({box.left, box.top}, {box.right, box.bottom}, ink::panel, rounding);
 }
 
 inline float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
-/// Of curves [pixel].
-inline float curve_width() { return std::max(1.5f, 0.1f * ImGui::GetFontSize()); }
+inline void draw_curve(const std::vector<ImVec2>& points, ImU32 colour) {
+    const float width = std::max(1.5f, 0.1f * ImGui::GetFontSize());
+    const auto count = static_cast<int>(points.size());
+    ImGui::GetWindowDrawList()->AddPolyline(points.data(), count, colour, ImDrawFlags_None, width);
+}
 
 /// Text from a point of the picture on.
 inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {
@@ -111,7 +119,7 @@ inline void text_before(ImVec2 corner, ImU32 colour, std::string_view text) {
     text_at({corner.x - text_width(text), corner.y}, colour, text);
 }
 
-/// Begins a window of Dear ImGui for widgets, on a panel's ground; `end_window` follows.
+/// Begins a window of Dear ImGui for widgets, on a panel's ground, and adds it; `end_window` follows.
 /// @param flags `ImGuiWindowFlags`
 /// @return whether anything is to be made in it
 [[nodiscard]] bool begin_window(const PanelBox& box, const char* name, int flags, float padding);

@@ -12,7 +12,6 @@
 #include "drape/render/renderer.h"
 #include "drape/session/comparison.h"
 #include "drawn_nodes.h"
-#include "node_pick.h"
 #include "overlay_style.h"
 #include "plot_history.h"
 #include "step_medians.h"
@@ -41,16 +40,12 @@ inline constexpr float plots_columns = 52.5f, plots_rows = 8;
 /// @return the height that is taken at the bottom [pixel]
 float plots_panel(const PlotHistory& history, const OverlayPage& page);
 
-/// Whether there is anything to show in the bar of time: the run stands still, or is in its past, or is a replay.
-bool is_timeline_due(const FrameView& view);
-
-/// Where it is, at the bottom of a page.
-PanelBox timeline_place(const OverlayPage& page);
-
-/// The bar of time, with Dear ImGui's widgets: where the run stands between the oldest step that is kept and the
-/// newest, or in the recording that is replayed.
-/// @return the step that a drag on it asks for
-std::optional<std::int64_t> timeline_panel(const Timeline& timeline, const PanelBox& box);
+/// The bar of time at the bottom, with Dear ImGui's widgets: where the run stands between the oldest step that is kept
+/// and the newest, or in the recording that is replayed. Nothing unless the run stands still, or is in its past, or is
+/// a replay.
+/// @param wanted receives the step that a drag on it asks for
+/// @return where it is
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.
@@ -63,26 +58,15 @@ void colour_panel(const ColourScale& scale, int level, float taken, const Overla
 /// @return the height that is taken at the bottom [pixel]
 float line_panel(const std::string& title, std::span<const LineLook> looks, float taken, const OverlayPage& page);
 
-/// The panel that explains drawn bounding volumes, at the lower right: which level of which volume, what the last
-/// query did level by level, how tight they are, and what the colours say. Beside the pointer it names the node there.
-class HierarchyPanel {
-public:
-    /// Nothing where there is no room.
-    /// @param taken what is left of this belongs to others [pixel]
-    /// @return how high it is, with a margin [pixel]
-    float draw(const FrameView& view, float taken, const OverlayPage& page);
+/// The panel that explains drawn bounding volumes, likewise: which level of which volume, what the last query did level
+/// by level, how tight they are, and what the colours say.
+/// @param fits of the frames before
+/// @return as of `line_panel`
+float hierarchy_panel(const FrameView& view, LevelFits& fits, float taken, const OverlayPage& page);
 
-    /// Names the node under the pointer, if there is one.
-    /// @param x, y of the pointer [pixel]
-    void name_node(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
-
-private:
-    std::vector<LevelCounts> counts_;
-    std::vector<NodeView> nodes_;
-    TouchedCells touched_;
-    LevelFits fits_;
-    NodePicker picker_;
-};
+/// Names the node under the pointer beside it, if there is one.
+/// @param x, y of the pointer [pixel]
+void node_panel(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page);
 
 /// The figures of both simulations of a comparison beside each other at the upper right, and how far apart they are,
 /// with its curve over the last seconds.
@@ -103,35 +87,20 @@ private:
     double time_ = 0;               ///< of the last one [s]
 };
 
-/// Widths of keys and of their texts beside them; both are wrapped where they are too long [pixel].
-struct KeyColumns {
-    float keys = 0, gap = 0, texts = 0;
-    [[nodiscard]] float width() const { return keys + gap + texts; }
-};
+/// The keys at the upper right, in the largest font in which all are seen.
+/// @param fonts up to the usual one, from the smallest
+/// @param right edge of the room for it [pixel]
+/// @param beside whether the stats panel is to have room beside it
+/// @return whether it has
+bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, float right,
+                bool beside);
 
-/// How the lines of a panel stand beside and below one another.
-struct KeyLayout {
-    KeyColumns widths;                ///< of each column
-    std::vector<std::size_t> starts;  ///< the first line of each column
-    float row = 0;                    ///< height of a line [pixel]
-    float height = 0;                 ///< of the highest column [pixel]
-    bool whole = true;                ///< there is room for all of it
+/// That a hint is wide at least, if its text is [font size].
+inline constexpr float hint_columns = 24;
 
-    /// Of the panel, its margins included [pixel].
-    [[nodiscard]] ImVec2 size(float margin) const;
-};
-
-/// All lines in the present font, below one another.
-/// @param width that the panel may have, its margins included [pixel]
-/// @param row height of a line [pixel]
-KeyLayout one_column(std::span<const KeyHelp> lines, float width, float row, float margin);
-
-/// The same in two columns, or as many as there is room for; else in one that is not whole, where they would be too
-/// high, or too narrow to read.
-/// @param width, height of the room for the panel, its margins included [pixel]
-KeyLayout lay_out_help(std::span<const KeyHelp> lines, float width, float height, float margin);
-
-/// Makes the panel in the present window of Dear ImGui, cut where it is higher than its box.
-void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const PanelBox& box, float margin);
+/// What to try first, at the bottom beside the other panels, in a smaller font where there is no room.
+/// @param fonts as of `help_panel`
+void hint_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,
+                const std::vector<PanelBox>& others);
 
 }  // namespace drape

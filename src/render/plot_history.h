@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "drape/sim/frame_view.h"
 
@@ -48,6 +49,11 @@ inline constexpr std::array plots{
 /// time, fewer in slow motion. A reset or another scene begins again.
 class PlotHistory {
 public:
+    struct Moment {
+        double time = 0;  ///< [s]
+        std::array<float, plot_curves.size()> values{};
+    };
+
     /// Moments that are kept at most.
     static constexpr std::size_t most = 300;
 
@@ -71,26 +77,13 @@ public:
     /// How much time the plots show [s].
     [[nodiscard]] double span() const { return span_; }
 
-    /// Moments that are kept.
-    [[nodiscard]] std::size_t size() const { return moments_.size(); }
-
-    /// The oldest moment that the plots show. @pre size() > 0
-    [[nodiscard]] std::size_t oldest_shown() const {
-        std::size_t oldest = 0;
-        while (moments_.back().time - time(oldest) > span_) ++oldest;
-        return oldest;
+    /// The moments that they show, from the oldest.
+    [[nodiscard]] std::vector<Moment> shown() const {
+        const auto is_shown = [this](const Moment& moment) { return moments_.back().time - moment.time <= span_; };
+        return {std::ranges::find_if(moments_, is_shown), moments_.end()};
     }
 
-    /// Of the k-th moment, from the oldest [s].
-    [[nodiscard]] double time(std::size_t k) const { return moments_[k].time; }
-    [[nodiscard]] float value(std::size_t k, std::size_t curve) const { return moments_[k].values[curve]; }
-
 private:
-    struct Moment {
-        double time = 0;  ///< [s]
-        std::array<float, plot_curves.size()> values{};
-    };
-
     std::deque<Moment> moments_;
     std::string scene_;
     double span_ = 10;

@@ -29,12 +29,16 @@ PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column,
     return found;
 }
 
-void StrainCrosses::collect(const FrameView& view) {
+StrainCrosses strain_crosses(const FrameView& view) {
     constexpr int crosses_in_row = 16;  // at most
-    found_.clear();
-    lines_.clear();
-    if (view.settings->view.colour != ColourBy::PrincipalStrain) return;
-    sizes_.assign({Real(1e-3)});  // less is rounding
+    StrainCrosses crosses;
+    if (view.settings->view.colour != ColourBy::PrincipalStrain) return crosses;
+    struct Found {
+        Vec3 centre, longest;  // [m]; a line of full length
+        Real strain;
+    };
+    std::vector<Found> all;
+    std::vector<Real> sizes{Real(1e-3)};  // less is rounding
     for (const ClothView& cloth : view.cloths) {
         const int columns = cloth.model.grid.cell_columns(), rows = cloth.model.grid.cell_rows();
         const int step = (std::max(columns, rows) + crosses_in_row - 1) / crosses_in_row;
@@ -43,22 +47,24 @@ void StrainCrosses::collect(const FrameView& view) {
             for (int column = std::min(step, columns) / 2; column < columns; column += step) {
                 const auto [centre, directions, strains] = principal_strain(cloth, view.blend, column, row);
                 for (std::size_t k = 0; k < 2; ++k) {
-                    found_.push_back({centre, room * directions[k], strains[k]});
-                    sizes_.push_back(std::abs(strains[k]));
+                    all.push_back({centre, room * directions[k], strains[k]});
+                    sizes.push_back(std::abs(strains[k]));
                 }
             }
         }
     }
 
     // A corner by which all hangs would leave dots of the rest
-    const auto nearly_largest = sizes_.begin() + static_cast<std::ptrdiff_t>(sizes_.size() * 9 / 10);
-    std::ranges::nth_element(sizes_, nearly_largest);
-    full_ = round_number_above(100 * std::max(static_cast<double>(*nearly_largest), 1e-3));
-    for (const auto& [centre, longest, strain] : found_) {
-        const double part = std::min(100 * std::abs(static_cast<double>(strain)) / full_, 1.0);
+    const auto nearly_largest = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() * 9 / 10);
+    std::ranges::nth_element(sizes, nearly_largest);
+    crosses.full = round_number_above(100 * std::max(static_cast<double>(*nearly_largest), 1e-3));
+    for (const auto& [centre, longest, strain] : all) {
+        const double part = std::min(100 * std::abs(static_cast<double>(strain)) / crosses.full, 1.0);
         const Vec3 arm = static_cast<Real>(part / 2) * longest;
-        lines_.push_back({centre - arm, centre + arm, strain > 0 ? NodeState::Stretched : NodeState::Compressed});
+        crosses.lines.push_back(
+            {centre - arm, centre + arm, strain > 0 ? NodeState::Stretched : NodeState::Compressed});
     }
+    return crosses;
 }
 
 }  // namespace drape

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "drape/sim/frame_view.h"
@@ -20,26 +19,15 @@ struct PrincipalStrain {
 PrincipalStrain principal_strain(const ClothView& cloth, Real blend, int column, int row);
 
 /// A cross a cell, or one a block of cells of a fine grid: lines as long as the strains are large.
-class StrainCrosses {
-public:
-    /// Finds those of a view; none where its cloths are coloured by something else.
-    /// @par Cost at most 256 cells a cloth
-    void collect(const FrameView& view);
-
-    [[nodiscard]] std::span<const Outlines::Edge> lines() const { return lines_; }
+struct StrainCrosses {
+    std::vector<Outlines::Edge> lines;
 
     /// What the longest lines stand for [%]: 1, 2 or 5 times a power of ten, no less than nine tenths of the strains.
-    [[nodiscard]] double full() const { return full_; }
-
-private:
-    struct Found {
-        Vec3 centre, longest;  ///< [m]; a line of full length
-        Real strain;
-    };
-    std::vector<Found> found_;
-    std::vector<Real> sizes_;
-    std::vector<Outlines::Edge> lines_;
-    double full_ = 0;
+    double full = 0;
 };
+
+/// Those of a view; none where its cloths are coloured by something else.
+/// @par Cost at most 256 cells a cloth
+StrainCrosses strain_crosses(const FrameView& view);
 
 }  // namespace drape

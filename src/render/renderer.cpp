@@ -90,8 +90,6 @@ struct Renderer::Parts {
     StreamBuffer stream{gl};
     ShadowMap shadow{gl};
     Solids solids{gl, stream};
-    ClothColours colours;
-    StrainCrosses crosses;
     Studio studio{gl};
     Marks marks{gl, stream};
     OverlayPanels panels;
@@ -140,20 +138,20 @@ void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const
 }
 
 void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
-    colours.collect(view);
-    panels.colours = colours.scale();
-    crosses.collect(view);
-    panels.full_strain = crosses.full();
+    const ClothColours colours = cloth_colours(view);
+    const StrainCrosses crosses = strain_crosses(view);
+    panels.colours = colours.scale;
+    panels.full_strain = crosses.full;
     const bool overlay = panels.build(view, camera, report, notices, width, height);
-    solids.follow(view, stream);
+    solids.follow(view);
 
     // Everything into the one buffer, and up
     const PictureSize drawn = target->drawn_size(is_fast(view));
     FrameData data = make_frame_data(view, camera, {width, height}, drawn, ShadowMap::texels, solids.holders(),
                                      panels.display_scale);
     const float pixels = data.view_projection.row(1).head<3>().norm() * static_cast<float>(drawn.height) / 2;
-    solids.fill(view, colours, {camera.eye(), pixels}, stream);
-    marks.fill(view, crosses.lines(), stream);
+    solids.fill(view, colours.values, {camera.eye(), pixels}, stream);
+    marks.fill(view, crosses.lines, stream);
     painter.fill(overlay, stream);
     marks.add_to(data);
     *stream.room<FrameData>(Region::Frame, 1) = data;

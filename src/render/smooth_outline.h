@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,7 +42,26 @@ public:
     /// Writes the middles, and three indices for each of the triangles, counter-clockwise on the front.
     /// @return the end of the indices, of which there are at most 12 for a triangle of the grid
     /// @par Cost O(n), allocates only for a larger grid
-    std::uint32_t* fill(const Grid& grid, const Vertices& vertices, const Viewpoint& from, std::uint32_t* indices);
+    std::uint32_t* fill(const Grid& grid, const Vertices& vertices, const Viewpoint& from, std::uint32_t* indices) {
+        seen_.resize(static_cast<std::size_t>(grid.particles()));
+        for (std::size_t p = 0; p < seen_.size(); ++p) {
+            const ClothVertex& particle = vertices.particles[p];
+            const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particle.position);
+            const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
+            seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particle.normal)) * per_distance,
+                        from.pixels * per_distance};
+        }
+        divide_edges(grid, vertices);
+        for (int j = 0; j + 1 < grid.ny; ++j) {
+            for (int i = 0; i + 1 < grid.nx; ++i) {
+                const int a = grid.particle(i, j), b = a + 1, c = a + grid.nx, d = c + 1;
+                const int across = 3 * a + 2;
+                indices = divide_triangle(vertices, {a, c, b}, {3 * a + 1, across, 3 * a}, indices);
+                indices = divide_triangle(vertices, {c, d, b}, {3 * c, 3 * b + 1, across}, indices);
+            }
+        }
+        return indices;
+    }
 
     /// The farthest that a middle of the last fill is off its straight edge [pixel].
     [[nodiscard]] float farthest() const { return farthest_; }
@@ -56,10 +77,106 @@ private:
         bool is_border;              ///< of the cloth
     };
 
-    void divide_edges(const Grid& grid, const Vertices& vertices);
-    [[nodiscard]] bool divide(const Edge& edge, const ClothVertex* particles, ClothVertex& middle);
+    // The outline is near an edge if the normal at one of its ends is no more than this off the picture's plane, as a
+    // cosine; from half of it on, all of the cubic's bend is drawn
+    static constexpr float near_outline = 0.4f;
+
+    // A bend that is not seen, with the samples that a pixel has [pixel]
+    static constexpr float unseen = 0.3f;
+
+    void divide_edges(const Grid& grid, const Vertices& vertices) {
+        farthest_ = 0;
+        divided_.assign(middles_each * static_cast<std::size_t>(grid.particles()), 0);
+        for (int j = 0; j < grid.ny; ++j) {
+            const bool first_row = j == 0, last_row = j + 1 == grid.ny;
+            for (int i = 0; i < grid.nx; ++i) {
+                const bool first_column = i == 0, last_column = i + 1 == grid.nx;
+                const bool one_right = !last_column, two_right = i + 2 < grid.nx;
+                const bool one_down = !last_row, two_down = j + 2 < grid.ny;
+                const int p = grid.particle(i, j);
+                const auto try_edge = [&](int number, const Edge& edge) {
+                    const int place = middles_each * p + number;
+                    divided_[static_cast<std::size_t>(place)] =
+                        divide(edge, vertices.particles, vertices.middles[place]);
+                };
+                if (one_right) try_edge(0, {p, p + 1, !first_column, two_right, first_row || last_row});
+                if (one_down) try_edge(1, {p, p + grid.nx, !first_row, two_down, first_column || last_column});
+                if (one_right && one_down)
+                    try_edge(2, {p + 1, p + grid.nx, two_right && !first_row, !first_column && two_down, false});
+            }
+        }
+    }
+
+    // @return false if it stays straight
+    [[nodiscard]] bool divide(const Edge& edge, const ClothVertex* particles, ClothVertex& middle) {
+        // None of the bend is drawn far from the outline, so that it comes and goes without a jump
+        const Seen &from = seen_[static_cast<std::size_t>(edge.from)], &to = seen_[static_cast<std::size_t>(edge.to)];
+        const bool turns = from.facing * to.facing <= 0;
+        const float facing = edge.is_border || turns ? 0 : std::min(std::abs(from.facing), std::abs(to.facing));
+        if (facing >= near_outline) return false;
+        const float part = std::min(2 - 2 * facing / near_outline, 1.0f);
+
+        // By how much the cubic is off the middle; without a particle beyond one end, the parabola
+        const int stride = edge.to - edge.from;
+        const ClothVertex &a = particles[edge.from], &b = particles[edge.to];
+        const auto at = [&](int p) { return Eigen::Map<const Eigen::Vector3f>(particles[p].position); };
+        Eigen::Vector3f bend = Eigen::Vector3f::Zero();
+        if (edge.has_before) bend += 2 * at(edge.from) - at(edge.to) - at(edge.from - stride);
+        if (edge.has_after) bend += 2 * at(edge.to) - at(edge.from) - at(edge.to + stride);
+        bend *= part / (edge.has_before && edge.has_after ? 16 : 8);
+        const float off = std::sqrt(bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2]) * from.pixels;
+        if (!(off > unseen)) return false;
+        farthest_ = std::max(farthest_, off);
+
+        Eigen::Map<Eigen::Vector3f>(middle.position) = (at(edge.from) + at(edge.to)) / 2 + bend;
+        for (int axis = 0; axis < 3; ++axis) middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
+        middle.pinned = 0;
+        middle.value = (a.value + b.value) / 2;
+        middle.hollow = (a.hollow + b.hollow) / 2;
+        middle.place = {(a.place[0] + b.place[0]) / 2, (a.place[1] + b.place[1]) / 2, a.place[2], a.place[3]};
+        middle.number = a.number;
+        return true;
+    }
+
+    // Into two, three or four where its edges are divided; edge k leads from corner k to the next
     [[nodiscard]] std::uint32_t* divide_triangle(const Vertices& vertices, std::array<int, 3> corners,
-                                                 std::array<int, 3> edges, std::uint32_t* indices) const;
+                                                 std::array<int, 3> edges, std::uint32_t* indices) const {
+        const auto divided = [&](std::size_t k) -> unsigned { return divided_[static_cast<std::size_t>(edges[k])]; };
+        const unsigned which = divided(0) | divided(1) << 1 | divided(2) << 2;
+
+        // Turned so that the divided edges come first
+        constexpr std::array<std::ptrdiff_t, 8> turns{0, 0, 1, 0, 2, 2, 1, 0};
+        std::rotate(corners.begin(), corners.begin() + turns[which], corners.end());
+        std::rotate(edges.begin(), edges.begin() + turns[which], edges.end());
+        const auto corner = [&](std::size_t k) {
+            return vertices.first_particle + static_cast<std::uint32_t>(corners[k]);
+        };
+        const auto middle = [&](std::size_t k) { return vertices.first_middle + static_cast<std::uint32_t>(edges[k]); };
+        const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+            *indices++ = p, *indices++ = q, *indices++ = r;
+        };
+        const std::uint32_t p = corner(0), q = corner(1), r = corner(2);
+        switch (divided(0) + divided(1) + divided(2)) {
+            case 0:
+                add(p, q, r);
+                break;
+            case 1:
+                add(p, middle(0), r);
+                add(middle(0), q, r);
+                break;
+            case 2:
+                add(p, middle(0), r);
+                add(middle(0), middle(1), r);
+                add(middle(0), q, middle(1));
+                break;
+            default:
+                add(p, middle(0), middle(2));
+                add(middle(0), q, middle(1));
+                add(middle(2), middle(1), r);
+                add(middle(0), middle(1), middle(2));
+        }
+        return indices;
+    }
 
     std::vector<Seen> seen_;             ///< of particles
     std::vector<std::uint8_t> divided_;  ///< 1 for the edges that are, in the order of the middles

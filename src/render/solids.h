@@ -8,7 +8,6 @@
 #include <span>
 #include <vector>
 
-#include "cloth_colours.h"
 #include "cloth_mesh.h"
 #include "drape/sim/frame_view.h"
 #include "frame_data.h"
@@ -21,7 +20,9 @@
 namespace drape {
 
 /// How the shaders get a `ClothVertex`.
-inline VertexLayout cloth_layout() { return {sizeof(ClothVertex), {{0, 3}, {1, 3}, {2, 1}, {6, 1}, {7, 1}}}; }
+inline VertexLayout cloth_layout() {
+    return {sizeof(ClothVertex), {{0, 3}, {1, 3}, {2, 1}, {6, 1}, {7, 1}, {5, 4}, {9, 1}}};
+}
 
 /// The cloths, what they hang from, the balls and the solids: what is seen and what casts shadows.
 /// In the buffer, the points of solids follow the particles, and the middles of edges follow those.
@@ -37,25 +38,20 @@ public:
         const Grid rolled{sphere_columns + 1, sphere_rows + 1};
         const std::vector<std::uint32_t> indices = triangle_indices({&rolled, 1});
         sphere_index_count_ = static_cast<int>(indices.size());
-        const VertexLayout places{sizeof(ClothPlace), {{5, 4}, {9, 1}}}, points{sizeof(Eigen::Vector3f), {{0, 3}}};
+        const VertexLayout points{sizeof(Eigen::Vector3f), {{0, 3}}};
         balls_.bind();
         fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
         fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
         points.enable(gl);
         points.set(gl, 0);
 
-        fill_static(gl, GL_ARRAY_BUFFER, cloth_places_, std::vector<ClothPlace>{{}});
-        for (StreamArray* array : {&cloths_, &outlined_}) {
-            array->bind();
-            places.enable(gl);
-            places.set(gl, 0);
-        }
+        outlined_.bind();
         stream.bind_indices();
         stream.bind_vertices();
     }
 
     /// Follows new grids and shapes, and finds what cloths hang from.
-    void follow(const FrameView& view, StreamBuffer& stream) {
+    void follow(const FrameView& view) {
         particle_count_ = 0;
         for (const ClothView& cloth : view.cloths)
             particle_count_ += static_cast<std::size_t>(cloth.model.grid.particles());
@@ -75,30 +71,31 @@ public:
         smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
                   particle_count_ <= SmoothOutline::max_particles;
         coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
-
-        const auto spacing_of = [](const ClothView& cloth) { return std::array{cloth.model.hx, cloth.model.hy}; };
-        const bool regrown = update_kept(view.cloths, grids_, grid_of) || has_other_bodies;
-        if (update_kept(view.cloths, spacings_, spacing_of) || regrown) fill_places(view, stream);
-        if (regrown) index_triangles();
+        if (update_kept(view.cloths, grids_, grid_of) || has_other_bodies) index_triangles();
     }
 
-    void fill(const FrameView& view, const ClothColours& colours, const Viewpoint& from, StreamBuffer& stream) {
+    /// @param values that colour the particles, if any do
+    void fill(const FrameView& view, std::span<const float> values, const Viewpoint& from, StreamBuffer& stream) {
         const std::size_t middles = smooth_ ? SmoothOutline::middles_each * particle_count_ : 0;
         auto* vertex = stream.room<ClothVertex>(Region::Cloth, fixed_vertices() + middles);
-        for (const ClothView& cloth : view.cloths) {
-            fill_cloth_vertices(cloth, view.blend, vertex);
+        for (int number = 0; const ClothView& cloth : view.cloths) {
+            fill_cloth_vertices(cloth, number++, view.blend, vertex);
             fill_hollows(cloth.model, vertex);
             vertex += cloth.model.grid.particles();
         }
-        colours.fill({stream.data<ClothVertex>(Region::Cloth), particle_count_});
+        auto* const particles = stream.data<ClothVertex>(Region::Cloth);
+        for (std::size_t p = 0; p < values.size(); ++p) particles[p].value = values[p];
         for (std::size_t i = 0; i < view.solids.size(); ++i) {
             const TriangleMesh& mesh = meshes_[i];
             const Eigen::Quaternionf orientation = view.solids[i].orientation.cast<float>();
             const Eigen::Vector3f position = drawn_solid(view, i);
             for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
-                Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * mesh.points[p].cast<float>();
+                const Eigen::Vector3f own = mesh.points[p].cast<float>();
+                Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * own;
                 Eigen::Map<Eigen::Vector3f>(vertex->normal) = orientation * mesh.normals[p].cast<float>();
                 vertex->pinned = vertex->value = vertex->hollow = 0;
+                vertex->place = {own.x(), own.y(), own.z(), 0};
+                vertex->number = static_cast<float>(view.settings->solids[i].shape);
             }
         }
         fill_outlines(view, from, stream);
@@ -198,20 +195,6 @@ private:
         return points;
     }
 
-    // Of the middles of edges, in the order of `SmoothOutline`; the places of the particles are there, from `first` on
-    static void append_middle_places(const Grid& grid, std::size_t first, std::vector<ClothPlace>& places) {
-        for (int p = 0; p < grid.particles(); ++p) {
-            const int right = p % grid.nx + 1 < grid.nx ? p + 1 : p;
-            const int step = p / grid.nx + 1 < grid.ny ? grid.nx : 0;
-            for (const auto& [from, to] :
-                 {std::array{p, right}, std::array{p, p + step}, std::array{right, p + step}}) {
-                const ClothPlace a = places[first + static_cast<std::size_t>(from)],
-                                 b = places[first + static_cast<std::size_t>(to)];
-                places.push_back({(a.u + b.u) / 2, (a.v + b.v) / 2, a.width, a.height, a.number});
-            }
-        }
-    }
-
     void index_triangles() {
         std::vector<std::uint32_t> indices = triangle_indices(grids_);
         cloth_index_count_ = static_cast<int>(indices.size());
@@ -230,27 +213,6 @@ private:
         indices.insert(indices.end(), coarse.begin(), coarse.end());
         cloths_.bind();
         fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
-    }
-
-    void fill_places(const FrameView& view, StreamBuffer& stream) {
-        std::vector<ClothPlace> places;
-        for (int number = 0; const ClothView& cloth : view.cloths) append_places(cloth.model, number++, places);
-        for (std::size_t i = 0; i < meshes_.size(); ++i) {
-            const auto kind = static_cast<float>(view.settings->solids[i].shape);
-            for (const Vec3& p : meshes_[i].points) {
-                const Eigen::Vector3f own = p.cast<float>();
-                places.push_back({own.x(), own.y(), own.z(), 0, kind});
-            }
-        }
-        if (particle_count_ <= SmoothOutline::max_particles) {
-            std::size_t first = 0;
-            for (const ClothView& cloth : view.cloths) {
-                append_middle_places(cloth.model.grid, first, places);
-                first += static_cast<std::size_t>(cloth.model.grid.particles());
-            }
-        }
-        fill_static(gl_, GL_ARRAY_BUFFER, cloth_places_, places);
-        stream.bind_vertices();
     }
 
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {
@@ -307,10 +269,9 @@ private:
         body_program_{gl_, "solid"}, holder_program_{gl_, "holder"}, depth_program_{gl_, "depth"},
         holder_depth_program_{gl_, "holder_depth", "depth"};
     StreamArray cloths_, outlined_, balls_, held_from_;
-    Buffer cloth_indices_{gl_}, cloth_places_{gl_}, sphere_vertices_{gl_}, sphere_indices_{gl_};
+    Buffer cloth_indices_{gl_}, sphere_vertices_{gl_}, sphere_indices_{gl_};
     std::vector<Holder> holders_;
     std::vector<Grid> grids_;
-    std::vector<std::array<Real, 2>> spacings_;              ///< of the grids [m]
     std::vector<std::shared_ptr<const SolidShape>> shapes_;  ///< of the solids
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     SmoothOutline outline_;

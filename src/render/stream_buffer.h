@@ -76,7 +76,7 @@ private:
     static constexpr std::size_t alignment = 256;  // the largest that OpenGL 3.3 may ask of a uniform block
 
     // Room from the start: for a cloth of 30 x 30 with its outline, and whatever a usual frame has of the rest [byte]
-    static constexpr std::array<std::size_t, regions> usual{1024,      256,       4096,      128 * 1024, 80 * 1024,
+    static constexpr std::array<std::size_t, regions> usual{1024,      256,       4096,      208 * 1024, 80 * 1024,
                                                             64 * 1024, 64 * 1024, 64 * 1024, 256 * 1024, 64 * 1024};
 
     static std::size_t aligned(std::size_t bytes) { return (bytes + alignment - 1) / alignment * alignment; }

@@ -32,17 +32,17 @@ TEST(ClothMesh, HasPlacesBetweenTheLastTwoStatesNormalsOnTheFrontAndMarks) {
     ClothView view = cloth.view();
     view.grabbed = 7;
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(view, Real(0.25), vertices.data());
+    fill_cloth_vertices(view, 0, Real(0.25), vertices.data());
     for (int p = 0; p < 30; ++p) {
         const ClothVertex& vertex = vertices[static_cast<std::size_t>(p)];
         EXPECT_FLOAT_EQ(vertex.position[1], 0.25f);
         EXPECT_FLOAT_EQ(vertex.normal[1], 1);
         EXPECT_EQ(vertex.pinned, p == 0 || p == 5 ? 1 : p == 7 ? 2 : 0);
     }
-    fill_cloth_vertices(FlatCloth(Plane::XY).view(), 1, vertices.data());
+    fill_cloth_vertices(FlatCloth(Plane::XY).view(), 0, 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[2], 1);
     cloth.x.setZero();
-    fill_cloth_vertices(cloth.view(), 1, vertices.data());
+    fill_cloth_vertices(cloth.view(), 0, 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1) << "all particles meet";
 }
 
@@ -54,14 +54,14 @@ TEST(ClothMesh, IsHollowInTheFoldsOfItsFront) {
     Points x = make_rest_state(parameters).x;
     for (int p = 0; p < 205; ++p) x(p, 1) = Real(0.05) * std::cos(2 * std::numbers::pi_v<Real> * (p % 41) / 20);
     std::vector<ClothVertex> vertices(205);
-    fill_cloth_vertices({model, x, x, {}, nullptr}, 1, vertices.data());
+    fill_cloth_vertices({model, x, x, {}, nullptr}, 0, 1, vertices.data());
     fill_hollows(model, vertices.data());
     const auto hollow = [&](int i) { return vertices[static_cast<std::size_t>(model.grid.particle(i, 2))].hollow; };
     EXPECT_GT(hollow(10), 0.2f);
     EXPECT_LT(hollow(20), -0.2f);
     EXPECT_NEAR(hollow(15), 0, 0.02f);
     x.col(1).setZero();
-    fill_cloth_vertices({model, x, x, {}, nullptr}, 1, vertices.data());
+    fill_cloth_vertices({model, x, x, {}, nullptr}, 0, 1, vertices.data());
     fill_hollows(model, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_NEAR(vertex.hollow, 0, 1e-3f);
 }
@@ -71,12 +71,14 @@ TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
     ClothParameters parameters;
     parameters.particles = {6, 5};
     parameters.width = 2;
-    std::vector<ClothPlace> places;
-    append_places(make_cloth_model(parameters), 3, places);
-    ASSERT_EQ(places.size(), 30u);
-    EXPECT_EQ(places[0], (ClothPlace{0, 0, 2, 1, 3}));
-    EXPECT_FLOAT_EQ(places[13].u, 0.4f);
-    EXPECT_FLOAT_EQ(places[13].v, 0.5f);
+    const ClothModel model = make_cloth_model(parameters);
+    const Points x = make_rest_state(parameters).x;
+    std::vector<ClothVertex> vertices(30);
+    fill_cloth_vertices({model, x, x, {}, nullptr}, 3, 1, vertices.data());
+    EXPECT_EQ(vertices[0].place, (std::array<float, 4>{0, 0, 2, 1}));
+    EXPECT_EQ(vertices[0].number, 3);
+    EXPECT_FLOAT_EQ(vertices[13].place[0], 0.4f);
+    EXPECT_FLOAT_EQ(vertices[13].place[1], 0.5f);
 
     const Grid grid{6, 5};
     const std::vector<std::uint32_t> indices = triangle_indices({&grid, 1});

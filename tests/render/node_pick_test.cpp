@@ -44,9 +44,9 @@ protected:
         return {static_cast<int>((clip.x() / clip.w() + 1) / 2 * width),
                 static_cast<int>((1 - clip.y() / clip.w()) / 2 * height)};
     }
-    std::optional<NodePick> pick(const Vec3& point) {
+    [[nodiscard]] std::optional<NodePick> pick(const Vec3& point) const {
         const Eigen::Vector2i at = pixel(point);
-        return picker_.pick(view_, Camera(settings_.view), at.x(), at.y(), width, height);
+        return pick_node(view_, Camera(settings_.view), at.x(), at.y(), width, height);
     }
 
     Settings settings_;
@@ -58,7 +58,6 @@ protected:
     std::vector<ClothView> cloths_;
     StepReport report_;
     FrameView view_;
-    NodePicker picker_;
 };
 
 class BoxesUnderThePointer : public NodesUnderThePointer {
@@ -76,7 +75,7 @@ TEST_F(BoxesUnderThePointer, AreFoundByTheClothInThem) {
         EXPECT_EQ(found->node.cells.cells(), 64);
     }
     EXPECT_FALSE(pick(Vec3(Real(1.3), 0, Real(0.5)))) << "beside the cloth";
-    EXPECT_FALSE(picker_.pick(view_, Camera(settings_.view), -1, 5, width, height)) << "beside the picture";
+    EXPECT_FALSE(pick_node(view_, Camera(settings_.view), -1, 5, width, height)) << "beside the picture";
 }
 
 TEST_F(BoxesUnderThePointer, AreFoundByTheNearestEdge) {

@@ -13,8 +13,7 @@ TEST(TouchedCells, AreFoundInEveryRectangle) {
     for (int touched = 0; touched < grid.cells(); ++touched) {
         ContactRow contact;
         contact.triangle = 2 * touched + touched % 2;
-        TouchedCells cells;
-        cells.take(grid, {&contact, 1}, true);
+        const TouchedCells cells(grid, {&contact, 1}, true);
         for (int i0 = 0; i0 < 6; i0 += 2) {
             for (int j0 = 0; j0 < 5; ++j0) {
                 const CellRange range{i0, j0, i0 + 2, j0 + 1};
@@ -37,8 +36,7 @@ TEST(LevelCounts, SumUpToWhatTheQueryDid) {
         const TraversalStats stats = tree->query(ball, found);
         ContactRow contact;
         contact.triangle = 2 * (found.cells.front().row * grid.cell_columns() + found.cells.front().column);
-        TouchedCells touched;
-        touched.take(grid, {&contact, 1}, true);
+        const TouchedCells touched(grid, {&contact, 1}, true);
 
         LevelCounts all;
         std::vector<NodeView> nodes;

@@ -27,10 +27,9 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
         tree->nodes_at(1, nodes);
         constexpr Real slack = Real(0.5);
         const auto states = [&](std::span<const ContactRow> contacts, bool tested) {
-            TouchedCells touched;
-            touched.take(grid, contacts, tested);
+            const TouchedCells touched(grid, contacts, tested);
             Outlines outlines;
-            append_nodes(nodes, slack, touched, outlines);
+            for (const NodeView& node : nodes) append_outline(node.volume, slack, touched.state_of(node), outlines);
             std::set<NodeState> all;
             for (std::size_t s = 0; s < outlines.spheres.size(); ++s) {
                 all.insert(outlines.spheres[s].state);
@@ -55,7 +54,7 @@ template <int K>
 void check_outline(const Points& x, const Grid& grid) {
     const KDop<K> dop = KDop<K>::fit(whole(x, grid));
     Outlines outlines;
-    append_outline(dop, NodeState::Visited, outlines);
+    append_outline(dop, 0, NodeState::Visited, outlines);
     const long double size = dop.sphere().radius;
     EXPECT_GE(outlines.edges.size(), 6u);
     EXPECT_LE(outlines.edges.size(), 3u * K - 6);
@@ -101,7 +100,7 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
     }
     for (const auto& [x, side] : {std::pair(square, 4.0), std::pair(diamond, std::sqrt(32.0))}) {
         Outlines outlines;
-        append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Visited, outlines);
+        append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::Visited, outlines);
         EXPECT_EQ(outlines.edges.size(), 8u);
         for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
     }
@@ -110,11 +109,11 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
 TEST(Outlines, OfAPointOrALineAreNothingOrTheLine) {
     const Grid grid{3, 3};
     Outlines outlines;
-    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), NodeState::Visited, outlines);
+    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), 0, NodeState::Visited, outlines);
     EXPECT_TRUE(outlines.edges.empty());
     Points x = Points::Zero(9, 3);
     for (int p = 0; p < 9; ++p) x(p, 1) = p;
-    append_outline(KDop<26>::fit(whole(x, grid)), NodeState::Visited, outlines);
+    append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::Visited, outlines);
     ASSERT_FALSE(outlines.edges.empty());
     for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 8, 1e-3);
 }

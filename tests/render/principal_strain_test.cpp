@@ -28,10 +28,8 @@ TEST(PrincipalStrain, OfAStretchedSheetHasTheStretchAndItsDirection) {
     view.cloths = {&cloth, 1};
     settings.view.colour = ColourBy::PrincipalStrain;
     view.settings = &settings;
-    StrainCrosses crosses;
-    crosses.collect(view);
-    const auto edges = crosses.lines();
-    EXPECT_EQ(crosses.full(), 5) << "%";
+    const auto [edges, full] = strain_crosses(view);
+    EXPECT_EQ(full, 5) << "%";
     EXPECT_EQ(edges.size(), 2 * 13 * 8) << "a cross for 3 x 3 cells";
     EXPECT_EQ(edges[0].state, NodeState::Compressed);
     EXPECT_EQ(edges[1].state, NodeState::Stretched);
