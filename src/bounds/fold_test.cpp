@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
 
 namespace drape {
 namespace {
@@ -42,28 +40,9 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
 }  // namespace
 
 FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
-    : grid_(grid),
-      hx_(hx),
-      hy_(hy),
-      nodes_(make_quadtree_nodes(grid, leaf_cells)),
-      beside_(nodes_.size()),
-      derivatives_(nodes_.size()) {
-    std::map<std::array<int, 3>, int> by_corner;
+    : grid_(grid), hx_(hx), hy_(hy), nodes_(make_quadtree_nodes(grid, leaf_cells)), derivatives_(nodes_.size()) {
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        by_corner[{nodes_[n].level, nodes_[n].i0, nodes_[n].j0}] = static_cast<int>(n);
-    }
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        const QuadtreeNode& node = nodes_[n];
-        if (const auto found = by_corner.find({node.level, node.i1, node.j0}); found != by_corner.end()) {
-            const auto right = static_cast<std::size_t>(found->second);
-            if (make_rectangle(node, nodes_[right])) {
-                beside_[n].right = found->second;
-                beside_[right].left = static_cast<int>(n);
-            }
-        }
-        if (const auto found = by_corner.find({node.level, node.i0, node.j1}); found != by_corner.end()) {
-            if (make_rectangle(node, nodes_[static_cast<std::size_t>(found->second)])) beside_[n].below = found->second;
-        }
+        by_corner_[{nodes_[n].level, nodes_[n].i0, nodes_[n].j0}] = static_cast<int>(n);
     }
 }
 
@@ -123,17 +102,21 @@ bool FoldTest::node_is_separated(int node, Real distance) const {
     return bounds(derivatives_[static_cast<std::size_t>(node)], distance);
 }
 
-/// The other two of four nodes that meet at a corner and are a rectangle together; -1: there are none.
+/// The other two of four nodes of a level that meet at a corner and are a rectangle together; -1: there are none.
 std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
-    const auto at = [&](int node) { return beside_[static_cast<std::size_t>(node)]; };
-    if (nodes_[static_cast<std::size_t>(second)].j0 < nodes_[static_cast<std::size_t>(first)].j0) {
-        std::swap(first, second);
-    }
-    const auto [left, right, below] = at(first);
-    if (below < 0) return {-1, -1};
-    if (right >= 0 && at(right).below == second && at(below).right == second) return {right, below};
-    if (left >= 0 && at(left).below == second && at(below).left == second) return {left, below};
-    return {-1, -1};
+    const auto node = [&](int number) -> const QuadtreeNode& { return nodes_[static_cast<std::size_t>(number)]; };
+    const QuadtreeNode &one = node(first), &two = node(second);
+    const bool share_corner =
+        one.level == two.level && (one.i1 == two.i0 || one.i0 == two.i1) && (one.j1 == two.j0 || one.j0 == two.j1);
+    if (!share_corner) return {-1, -1};
+    const auto beside_both = [&](int i0, int j0) {
+        const auto found = by_corner_.find({one.level, i0, j0});
+        if (found == by_corner_.end()) return -1;
+        const QuadtreeNode& other = node(found->second);
+        return make_rectangle(one, other) && make_rectangle(two, other) ? found->second : -1;
+    };
+    const std::array<int, 2> others{beside_both(two.i0, one.j0), beside_both(one.i0, two.j0)};
+    return std::min(others[0], others[1]) < 0 ? std::array{-1, -1} : others;
 }
 
 bool FoldTest::nodes_are_separated(int first, int second, Real distance) const {

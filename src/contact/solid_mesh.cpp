@@ -94,7 +94,7 @@ struct Subtree {
 /// The two halves of a subtree, side by side in memory, because a search always looks at both.
 using MeshNode = std::array<Subtree, 2>;
 
-/// The closest of the triangles seen so far; before there is one, a bound.
+/// The closest of the triangles seen so far.
 struct ClosestFeature {
     Real square = std::numeric_limits<Real>::infinity();  ///< of the distance
     int triangle = -1;
@@ -116,15 +116,10 @@ public:
     [[nodiscard]] SurfaceDistance measure(const Vec3& p) const override {
         ClosestFeature closest;
         search(all_, p, closest);
-        return surface_at(p, closest);
-    }
-
-    /// With a bound that is too small, by rounding or because it is wrong, the search finds nothing and begins again
-    /// without it: that costs time, never accuracy. The margin makes it rare.
-    [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const override {
-        ClosestFeature closest{.square = farthest * farthest * (1 + bound_rounding), .triangle = -1, .point = {}};
-        search(all_, p, closest);
-        return closest.triangle < 0 ? measure(p) : surface_at(p, closest);
+        DRAPE_ASSERT(closest.triangle >= 0);
+        const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
+        const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
+        return {sign * distance, distance > 0 ? Vec3(sign / distance * offset) : Vec3(feature_normal.normalized())};
     }
 
     [[nodiscard]] Real clearance(const std::array<Vec3, 3>& triangle, Real asked) const override {
@@ -143,13 +138,6 @@ public:
 
 private:
     static constexpr Real bound_rounding = 1024 * std::numeric_limits<Real>::epsilon();
-
-    [[nodiscard]] SurfaceDistance surface_at(const Vec3& p, const ClosestFeature& closest) const {
-        DRAPE_ASSERT(closest.triangle >= 0);
-        const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
-        const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
-        return {sign * distance, distance > 0 ? Vec3(sign / distance * offset) : Vec3(feature_normal.normalized())};
-    }
 
     [[nodiscard]] const Vec3& point(int triangle, std::size_t corner) const {
         return mesh_.points[static_cast<std::size_t>(mesh_.triangles[static_cast<std::size_t>(triangle)][corner])];

@@ -32,9 +32,9 @@ double hierarchy_bytes(const ContactSettings& contact, const Grid& grid) {
     return nodes * static_cast<double>(sizeof(QuadtreeNode) + 2 * sizeof(int) + bytes_of_volume(contact.volume));
 }
 
-/// Of a pair of features: as it was found, as it is now, and what the list has of it, before and after it is in order.
-/// Of the room that lists double, they use two thirds in the mean.
-constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + 2 * (sizeof(FeaturePair) + sizeof(int) + sizeof(Real)));
+/// Of a pair of features: as it was found, as it is now, and what the list has of it. Of the room that lists double,
+/// they use two thirds in the mean.
+constexpr double bytes_of_pair = 1.5 * (2 * sizeof(NearPair) + sizeof(FeaturePair) + sizeof(int) + sizeof(Real));
 
 /// Where cloths meet themselves and each other: a second hierarchy and the boxes of its cells, numbers of a particle,
 /// and pairs of features, as many as where much of a cloth lies on cloth. Threads share their lists.

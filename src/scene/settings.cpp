@@ -57,8 +57,7 @@ ResponseParameters response_of(const Settings& settings) {
             .friction = contact.friction,
             .pair_thickness = pair_thickness_of(settings),
             .stiffness = contact.stiffness,
-            .displacement_factor = displacement_factor(settings.solver.integrator),
-            .kernels = settings.solver.kernels};
+            .displacement_factor = displacement_factor(settings.solver.integrator)};
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {

@@ -144,21 +144,6 @@ TEST(SolidShape, NoPointOfATriangleIsNearerToAMeshThanItsClearance) {
     EXPECT_GT(bounded, 50);
 }
 
-/// Whatever bound is claimed, also a wrong one.
-TEST(SolidShape, AMeshIsMeasuredTheSameWhereItIsKnownToBeNear) {
-    std::mt19937 random(4);
-    const auto mesh = make_mesh_shape(spiky(random));
-    for (int trial = 0; trial < 300; ++trial) {
-        const Vec3 p = draw_point(random, Real(1.2));
-        const SurfaceDistance found = mesh->measure(p);
-        for (const Real fraction : {Real(0), Real(0.5), Real(1), Real(1.01), Real(3)}) {
-            const SurfaceDistance near = mesh->measure_near(p, fraction * std::abs(found.distance));
-            ASSERT_EQ(near.distance, found.distance) << fraction;
-            ASSERT_EQ(near.normal, found.normal) << fraction;
-        }
-    }
-}
-
 void expect_deepest(const Solid& solid, std::mt19937& random) {
     for (int trial = 0; trial < 200; ++trial) {
         const std::array<Vec3, 3> corners = draw_triangle(random, 0.3, 0.1);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -57,11 +58,6 @@ private:
         }
     };
 
-    /// The nodes of the same level that share a whole side with a node; -1: there is none.
-    struct Beside {
-        int left = -1, right = -1, below = -1;
-    };
-
     [[nodiscard]] std::array<int, 2> at_corner_of(int first, int second) const;
     [[nodiscard]] Derivatives of_leaf(const QuadtreeNode& leaf, const Points& x, std::span<const Real> reaches) const;
     [[nodiscard]] bool bounds(const Derivatives& derivatives, Real distance) const;
@@ -69,8 +65,8 @@ private:
     Grid grid_;
     Real hx_ = 0, hy_ = 0;
     std::vector<QuadtreeNode> nodes_;
-    std::vector<Beside> beside_;            ///< each node
-    std::vector<Derivatives> derivatives_;  ///< of each node
+    std::map<std::array<int, 3>, int> by_corner_;  ///< numbers of the nodes by level, i0 and j0
+    std::vector<Derivatives> derivatives_;         ///< of each node
 };
 
 }  // namespace drape

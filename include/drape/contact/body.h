@@ -35,11 +35,9 @@ struct Solid {
     Vec3 moved = Vec3::Zero();     ///< within the present substep [m]
 
     /// @param p in the world [m]
-    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const { return in_world(shape->measure(in_own_frame(p))); }
-
-    /// The same, faster, for a point that is known to be within `farthest` of the surface [m].
-    [[nodiscard]] SurfaceDistance measure_near(const Vec3& p, Real farthest) const {
-        return in_world(shape->measure_near(in_own_frame(p), farthest));
+    [[nodiscard]] SurfaceDistance measure(const Vec3& p) const {
+        const SurfaceDistance own = shape->measure(in_own_frame(p));
+        return {own.distance, orientation * own.normal};
     }
 
     /// @param triangle in the world [m], see `SolidShape::clearance`
@@ -53,9 +51,6 @@ struct Solid {
 
 private:
     [[nodiscard]] Vec3 in_own_frame(const Vec3& p) const { return orientation.conjugate() * (p - position); }
-    [[nodiscard]] SurfaceDistance in_world(const SurfaceDistance& own) const {
-        return {own.distance, orientation * own.normal};
-    }
 };
 
 /// What cloth and balls can touch: a ball, a solid or the ground, as it moves within the present substep. What is no

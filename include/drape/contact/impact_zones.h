@@ -59,30 +59,31 @@ public:
 private:
     struct Member {
         int cloth, particle;
-        Vec3 displacement, velocity;  ///< as they would have been [m, m/s]
     };
     struct Zone {
         std::vector<Member> members;
         Real part = 1;  ///< of the motion within
     };
 
-    [[nodiscard]] std::size_t number_of(int cloth, int particle) const;
+    [[nodiscard]] std::size_t number_of(const Member& member) const {
+        return first_[static_cast<std::size_t>(member.cloth)] + static_cast<std::size_t>(member.particle);
+    }
+    [[nodiscard]] const ClothInContact& cloth_of(int number) const { return cloths_[static_cast<std::size_t>(number)]; }
+    [[nodiscard]] const ClothState& free_state_of(int cloth) const { return free_[static_cast<std::size_t>(cloth)]; }
     [[nodiscard]] int zone_of(const NearPair& pair, std::size_t k) const;
-    [[nodiscard]] FeatureMotion motion_of(const NearPair& pair) const;
-    [[nodiscard]] FeatureMotion free_motion_of(const NearPair& pair) const;
+    [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, bool freely) const;
     [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
     [[nodiscard]] int largest_zone_of(const NearPair& pair) const;
     void join(const NearPair& pair, Real part);
-    void add(int zone, const Member& member);
-    [[nodiscard]] Vec3 mean(const Zone& zone, Vec3 Member::*value) const;
+    template <class Own>
+    [[nodiscard]] Vec3 mean(const Zone& zone, Own own) const;
     void move_zones() const;
-    [[nodiscard]] const ClothInContact& cloth_of(int number) const { return cloths_[static_cast<std::size_t>(number)]; }
 
     Real least_ = 0;  ///< distance [m]
     std::span<const ClothInContact> cloths_;
     std::span<const std::size_t> first_;  ///< particle of each cloth, among all
+    std::vector<ClothState> free_;        ///< where the cloths would have come to, if there is a zone
     std::vector<int> zone_of_;            ///< of each particle; -1: none
-    std::vector<int> place_in_;           ///< there
     std::vector<Zone> zones_;             ///< those that have joined others are empty
 };
 

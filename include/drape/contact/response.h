@@ -5,7 +5,6 @@
 
 #include "drape/base/copied.h"
 #include "drape/base/enum_names.h"
-#include "drape/base/kernels.h"
 #include "drape/contact/body.h"
 #include "drape/contact/contact_row.h"
 #include "drape/model/cloth_model.h"
@@ -26,7 +25,6 @@ struct ResponseParameters {
     Real pair_thickness = Real(0.002);  ///< at which cloth keeps away from cloth [m]
     Real stiffness = 1000;              ///< of the penalty's springs, one a contact [N/m]
     Real displacement_factor = 1;       ///< of the method that makes the substeps, see the function of this name
-    Kernels kernels = Kernels::Vector;  ///< plain: sweeps in plain code, with the same bits
 };
 
 /// What a response leaves and what it has done.

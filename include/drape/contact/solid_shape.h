@@ -33,10 +33,6 @@ public:
 
     [[nodiscard]] virtual SurfaceDistance measure(const Vec3& p) const = 0;
 
-    /// The same, faster where a shape has many triangles. A wrong bound costs time only.
-    /// @param farthest upper bound on the unsigned distance [m]
-    [[nodiscard]] virtual SurfaceDistance measure_near(const Vec3& p, Real /*farthest*/) const { return measure(p); }
-
     /// A distance that no point of a triangle is below, at most `asked`; minus infinity where a shape has none.
     /// @param triangle of which the corners are outside, no nearer than `asked`
     /// @par Cost O(log triangles) and some microseconds near the surface

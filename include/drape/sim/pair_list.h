@@ -32,7 +32,7 @@ public:
     /// @par Cost that of `find_near_pairs`, shared among threads; no allocation once it has been as long before
     void add(const BoxedCloth& first, const BoxedCloth& second, std::span<const LeafPair> leaves);
 
-    /// Brings what was added into order. @par Cost O(n + particles), and that of sorting the few pairs of each particle
+    /// Brings what was added into order. @par Cost O(n log n)
     void close();
 
     /// Pairs that were added.
@@ -63,17 +63,13 @@ private:
         std::vector<NearPair> near;
     };
 
-    template <class Number>
-    void sort_by(std::size_t numbers, Number number_of);
-
     /// Pairs to be looked at: with fewer, a thread waits longer than it works.
     static constexpr std::size_t worth_a_thread = 1024;
 
     LazyWorkers workers_;
     std::vector<Part> parts_ = std::vector<Part>(1);  ///< one a thread
     std::size_t size_ = 0;
-    std::vector<Listed> list_, other_list_;  ///< the other: room for bringing the list into order
-    std::vector<std::size_t> places_;        ///< in it, of the next pair with each number
+    std::vector<Listed> list_;
 };
 
 }  // namespace drape

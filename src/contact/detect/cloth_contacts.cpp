@@ -22,6 +22,15 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
     }
 }
 
+/// The same for those that may touch a ball: kernels leave out most of those that do not, plain code none.
+/// @param p, radius of the ball, grown by the cloth's thickness
+template <class Visit>
+void for_each_cell_to_test(const Vec3& p, Real radius, const Grid& grid, const Points& x,
+                           std::span<const CellRun> cells, Kernels kernels, Visit visit) {
+    if (kernels == Kernels::Plain) return for_each_cell(grid, cells, visit);
+    kernels::for_each_near_cell(grid, x, p, radius, cells, visit);
+}
+
 /// The corners of a triangle in the order of their numbers: those of a cell's first one are a, c, b.
 constexpr std::array<std::size_t, 3> corners_ascending{0, 2, 1};
 
@@ -173,31 +182,19 @@ private:
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                             std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels) {
     const Real radius = ball.radius + thickness;
-    const auto touches = [&](int triangle) {
-        const ClosestPoint closest = closest_point(x, grid.triangle_corners(triangle), ball.centre);
-        return (closest.point - ball.centre).squaredNorm() <= radius * radius;
+    const auto is_inside = [&](const Vec3& p) { return (p - ball.centre).squaredNorm() <= radius * radius; };
+    const auto test = [&](int cell) {
+        for (const int triangle : {2 * cell, 2 * cell + 1}) {
+            const std::array<int, 3> corners = grid.triangle_corners(triangle);
+            // Most are decided by a corner
+            if (std::ranges::any_of(corners, [&](int p) { return is_inside(position(x, p)); }) ||
+                is_inside(closest_point(x, corners, ball.centre).point)) {
+                triangles.push_back(triangle);
+            }
+        }
     };
     triangles.clear();
-    if (kernels == Kernels::Plain) {
-        for_each_cell(grid, cells, [&](int cell) {
-            for (const int triangle : {2 * cell, 2 * cell + 1}) {
-                if (touches(triangle)) triangles.push_back(triangle);
-            }
-        });
-        return;
-    }
-    // Most are decided by a corner
-    kernels::visit_near(grid, x, ball.centre, radius, cells, [&](const auto& some) {
-        for (const kernels::CellBits& bits : some) {
-            kernels::for_each_set(bits, bits.near(), [&](int cell) {
-                const std::uint32_t bit = std::uint32_t{1} << (cell - bits.cell);
-                if (bits.first & bit || (bits.first_open & bit && touches(2 * cell))) triangles.push_back(2 * cell);
-                if (bits.second & bit || (bits.second_open & bit && touches(2 * cell + 1))) {
-                    triangles.push_back(2 * cell + 1);
-                }
-            });
-        }
-    });
+    for_each_cell_to_test(ball.centre, radius, grid, x, cells, kernels, test);
 }
 
 std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body,
@@ -209,16 +206,8 @@ std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const Sea
         const bool first = found.add_triangle(2 * cell), second = found.add_triangle(2 * cell + 1);
         touching += first || second;
     };
-    if (kernels == Kernels::Plain) {
-        for_each_cell(cloth.grid, cells, test);
-    } else {
-        const Real far = ball.radius + (body.thickness + body.reach);
-        kernels::visit_near(cloth.grid, found.before, start, far, cells, [&](const auto& some) {
-            for (const kernels::CellBits& bits : some) {
-                kernels::for_each_set(bits, bits.near(), test);
-            }
-        });
-    }
+    const Real far = ball.radius + (body.thickness + body.reach);
+    for_each_cell_to_test(start, far, cloth.grid, found.before, cells, kernels, test);
     return touching;
 }
 

@@ -65,8 +65,7 @@ struct Descent {
 
     void take(const std::array<Real, 3>& weights) {
         const Vec3 point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
-        const Real farthest = std::abs(best.surface.distance) + (point - best.point).norm();
-        const SurfaceDistance surface = solid.measure_near(point, farthest);
+        const SurfaceDistance surface = solid.measure(point);
         if (surface.distance < best.surface.distance) best = {weights, point, surface};
     }
 

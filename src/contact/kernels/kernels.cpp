@@ -5,4 +5,3 @@
 #include <hwy/highway.h>
 
 #include "contact/kernels/near_cells-inl.h"
-#include "contact/kernels/row_sweeps-inl.h"

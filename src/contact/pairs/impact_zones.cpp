@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "contact/advance.h"
@@ -14,10 +15,6 @@ namespace {
 
 /// The part of a distance that is not to become smaller at all: as little as rounding lets through.
 constexpr Real hardly_nearer = 1 - 256 * std::numeric_limits<Real>::epsilon();
-
-Vec3 displacement_of(const ClothInContact& cloth, int particle) {
-    return position(cloth.state.x, particle) - position(cloth.before, particle);
-}
 
 }  // namespace
 
@@ -51,35 +48,19 @@ Real safe_part_of(const FeatureMotion& motion, Real distance, Real least) {
     return first_time(measure, meeting).value_or(1);
 }
 
-std::size_t ImpactZones::number_of(int cloth, int particle) const {
-    return first_[static_cast<std::size_t>(cloth)] + static_cast<std::size_t>(particle);
-}
-
 /// Of its k-th particle; -1: none.
 int ImpactZones::zone_of(const NearPair& pair, std::size_t k) const {
-    return zone_of_[number_of(pair.features.cloth_of(k), pair.features.particles[k])];
+    return zone_of_[number_of({pair.features.cloth_of(k), pair.features.particles[k]})];
 }
 
-/// As its particles are to move now.
-FeatureMotion ImpactZones::motion_of(const NearPair& pair) const {
+/// @param freely as its particles would have moved, not as they are to move now
+FeatureMotion ImpactZones::motion_of(const NearPair& pair, bool freely) const {
     FeatureMotion motion{.first_count = pair.features.first_count};
     for (std::size_t k = 0; k < 4; ++k) {
-        const ClothInContact& cloth = cloth_of(pair.features.cloth_of(k));
-        motion.start[k] = position(cloth.before, pair.features.particles[k]);
-        motion.displacement[k] = displacement_of(cloth, pair.features.particles[k]);
-    }
-    return motion;
-}
-
-/// As they would have moved.
-FeatureMotion ImpactZones::free_motion_of(const NearPair& pair) const {
-    FeatureMotion motion = motion_of(pair);
-    for (std::size_t k = 0; k < 4; ++k) {
-        const int zone = zone_of(pair, k);
-        if (zone < 0) continue;
-        const std::size_t number = number_of(pair.features.cloth_of(k), pair.features.particles[k]);
-        const std::vector<Member>& members = zones_[static_cast<std::size_t>(zone)].members;
-        motion.displacement[k] = members[static_cast<std::size_t>(place_in_[number])].displacement;
+        const int cloth = pair.features.cloth_of(k), particle = pair.features.particles[k];
+        const Points& end = freely ? free_state_of(cloth).x : cloth_of(cloth).state.x;
+        motion.start[k] = position(cloth_of(cloth).before, particle);
+        motion.displacement[k] = position(end, particle) - motion.start[k];
     }
     return motion;
 }
@@ -101,14 +82,6 @@ int ImpactZones::largest_zone_of(const NearPair& pair) const {
     return largest;
 }
 
-void ImpactZones::add(int zone, const Member& member) {
-    std::vector<Member>& members = zones_[static_cast<std::size_t>(zone)].members;
-    const std::size_t number = number_of(member.cloth, member.particle);
-    zone_of_[number] = zone;
-    place_in_[number] = static_cast<int>(members.size());
-    members.push_back(member);
-}
-
 /// All particles of a pair, and of the zones that they are in, become one zone.
 void ImpactZones::join(const NearPair& pair, Real part) {
     int all = largest_zone_of(pair);
@@ -119,49 +92,52 @@ void ImpactZones::join(const NearPair& pair, Real part) {
     Zone& zone = zones_[static_cast<std::size_t>(all)];
     zone.part = std::min(zone.part, part);
     for (std::size_t k = 0; k < 4; ++k) {
-        const int number = pair.features.cloth_of(k), particle = pair.features.particles[k];
         const int other = zone_of(pair, k);
         if (other == all) continue;
-        if (other < 0) {
-            const ClothInContact& cloth = cloth_of(number);
-            add(all, {number, particle, displacement_of(cloth, particle), position(cloth.state.v, particle)});
-            continue;
-        }
-        Zone& joined = zones_[static_cast<std::size_t>(other)];
+        Zone joined{{{pair.features.cloth_of(k), pair.features.particles[k]}}};
+        if (other >= 0) joined = std::exchange(zones_[static_cast<std::size_t>(other)], {});
         zone.part = std::min(zone.part, joined.part);
-        for (const Member& member : std::exchange(joined.members, {})) add(all, member);
+        for (const Member& member : joined.members) {
+            zone_of_[number_of(member)] = all;
+            zone.members.push_back(member);
+        }
     }
 }
 
-/// The mean of what the members of a zone have, by mass. Where there are pinned ones, what the slowest of them has: a
-/// pin stays, and one that the hand leads may be held back.
-Vec3 ImpactZones::mean(const Zone& zone, Vec3 Member::*value) const {
+/// The mean of own(member), by mass. Where there are pinned ones, what the slowest of them has: a pin stays, and one
+/// that the hand leads may be held back.
+template <class Own>
+Vec3 ImpactZones::mean(const Zone& zone, Own own) const {
     Vec3 sum = Vec3::Zero();
     Real mass = 0;
-    const Vec3* of_pinned = nullptr;
+    std::optional<Vec3> of_pinned;
     for (const Member& member : zone.members) {
         const ClothModel& model = cloth_of(member.cloth).model;
-        const Vec3& own = member.*value;
+        const Vec3 value = own(member);
         if (!model.pinned(member.particle)) {
-            sum += model.particle_mass * own;
+            sum += model.particle_mass * value;
             mass += model.particle_mass;
-        } else if (!of_pinned || own.squaredNorm() < of_pinned->squaredNorm()) {
-            of_pinned = &own;
+        } else if (!of_pinned || value.squaredNorm() < of_pinned->squaredNorm()) {
+            of_pinned = value;
         }
     }
     return of_pinned ? *of_pinned : Vec3(sum / mass);
 }
 
 void ImpactZones::move_zones() const {
+    const auto displacement_of = [&](const Member& m) -> Vec3 {
+        return position(free_state_of(m.cloth).x, m.particle) - position(cloth_of(m.cloth).before, m.particle);
+    };
+    const auto velocity_of = [&](const Member& m) { return position(free_state_of(m.cloth).v, m.particle); };
     for (const Zone& zone : zones_) {
         if (zone.members.empty()) continue;
-        const Vec3 displacement = mean(zone, &Member::displacement), velocity = mean(zone, &Member::velocity);
+        const Vec3 displacement = mean(zone, displacement_of), velocity = mean(zone, velocity_of);
         for (const Member& member : zone.members) {
-            const ClothInContact& cloth = cloth_of(member.cloth);
-            cloth.state.x.row(member.particle) =
-                cloth.before.row(member.particle) +
-                (displacement + zone.part * (member.displacement - displacement)).transpose();
-            cloth.state.v.row(member.particle) = (velocity + zone.part * (member.velocity - velocity)).transpose();
+            const auto& [model, before, state] = cloth_of(member.cloth);
+            const Vec3 own = displacement_of(member), own_velocity = velocity_of(member);
+            state.x.row(member.particle) =
+                before.row(member.particle) + (displacement + zone.part * (own - displacement)).transpose();
+            state.v.row(member.particle) = (velocity + zone.part * (own_velocity - velocity)).transpose();
         }
     }
 }
@@ -173,14 +149,16 @@ bool ImpactZones::find(std::span<const NearPair> pairs, std::span<const ClothInC
     cloths_ = cloths;
     first_ = first;
     zone_of_.assign(first.back(), -1);
-    place_in_.resize(first.back());
     zones_.clear();
     for (const NearPair& pair : pairs) {
         if (pair.distance == 0) continue;
-        const Real part = safe_part_of(free_motion_of(pair), pair.distance, least_);
+        const Real part = safe_part_of(motion_of(pair, false), pair.distance, least_);
         if (part < 1) join(pair, part);
     }
-    return !zones_.empty();
+    if (zones_.empty()) return false;
+    free_.resize(cloths.size());
+    for (std::size_t c = 0; c < cloths.size(); ++c) free_[c] = cloths[c].state;
+    return true;
 }
 
 /// Within a zone only that part of the motion is made in which no pair of it meets, whatever its other particles do.
@@ -190,8 +168,8 @@ void ImpactZones::prevent_crossing(std::span<const NearPair> pairs) {
         meets = false;
         for (const NearPair& pair : pairs) {
             if (pair.distance == 0 || largest_zone_of(pair) < 0 || within_one_zone(pair)) continue;
-            if (safe_part_of(motion_of(pair), pair.distance, least_) == 1) continue;
-            join(pair, safe_part_of(free_motion_of(pair), pair.distance, least_));
+            if (safe_part_of(motion_of(pair, false), pair.distance, least_) == 1) continue;
+            join(pair, safe_part_of(motion_of(pair, true), pair.distance, least_));
             meets = true;
         }
     }

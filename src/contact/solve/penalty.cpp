@@ -90,8 +90,8 @@ Sweeps solve_penalties(ContactProblem& problem) {
     } else {
         push_by_displacements(problem);
     }
-    const Sweeps sweeps = solve_friction(problem, problem.scratch.displacements);
-    const Sweeps more = solve_friction(problem, problem.scratch.velocities);
+    const Sweeps sweeps = solve(problem, problem.scratch.displacements, true);
+    const Sweeps more = solve(problem, problem.scratch.velocities, true);
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 

@@ -31,8 +31,7 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
 
 /// Gives each particle in contact a place.
 void set_places(ContactProblem& problem) {
-    auto& [states, particles, place_of, displacements, velocities, order, compact, levels, groups, next_of] =
-        problem.scratch;
+    auto& [states, particles, place_of, displacements, velocities] = problem.scratch;
     std::size_t count = 0;
     for (const ClothInContact& cloth : problem.cloths) count += static_cast<std::size_t>(cloth.state.x.rows());
     place_of.resize(std::max(place_of.size(), count));
@@ -64,8 +63,8 @@ void take_motion(ContactProblem& problem) {
     velocities.particles.clear();
     for (const auto [cloth, particle] : problem.scratch.particles) {
         const ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
-        displacements.particles.push_back({state.x(particle, 0), state.x(particle, 1), state.x(particle, 2), 0});
-        velocities.particles.push_back({state.v(particle, 0), state.v(particle, 1), state.v(particle, 2), 0});
+        displacements.particles.push_back(position(state.x, particle));
+        velocities.particles.push_back(position(state.v, particle));
     }
     displacements.bodies.clear();
     velocities.bodies.clear();
@@ -121,7 +120,6 @@ __attribute__((flatten)) void prepare(ContactProblem& problem) {
         follow(problem, row, state);
         prepare(problem, row, state);
     }
-    order_rows(problem);
 }
 
 void finish(ContactProblem& problem) {

@@ -12,9 +12,6 @@
 
 namespace drape {
 
-/// A vector in space and a zero, as one register holds them.
-using Real4 = std::array<Real, 4>;
-
 /// What is known of a contact while it is answered.
 struct RowState {
     std::array<int, 4> places{};       ///< of its particles, in the motion
@@ -42,27 +39,11 @@ struct ContactMotion {
     };
 
     Quantity quantity;
-    std::vector<Real4> particles;  ///< positions at the end of the substep, or velocities
+    std::vector<Vec3> particles;  ///< positions at the end of the substep, or velocities
     std::vector<OfBody> bodies;
 
-    [[nodiscard]] Eigen::Map<const Vec3> of(int place) const {
-        return Eigen::Map<const Vec3>(particles[static_cast<std::size_t>(place)].data());
-    }
-    [[nodiscard]] Eigen::Map<Vec3> of(int place) {
-        return Eigen::Map<Vec3>(particles[static_cast<std::size_t>(place)].data());
-    }
-};
-
-/// What the sweeps of a solve read of a contact whose bodies nothing moves, and nothing else: most then find all of
-/// them in the cache nearest to the processor.
-struct CompactRow {
-    Real4 normal, friction;
-    Real impulse, target;  ///< along the normal
-    Real mass, sliding_mass, inverse_mass, friction_coefficient;
-    Real4 weights, mobilities;
-    std::array<int, 4> places;
-    int count;
-    std::array<Real4, 2> offsets;  ///< subtracted from the motion of its particles, one after the other
+    [[nodiscard]] const Vec3& of(int place) const { return particles[static_cast<std::size_t>(place)]; }
+    [[nodiscard]] Vec3& of(int place) { return particles[static_cast<std::size_t>(place)]; }
 };
 
 /// What a solver keeps from one substep to the next, to allocate nothing.
@@ -76,13 +57,6 @@ struct ContactSolver::Scratch {
     std::vector<Particle> particles;  ///< of each place
     std::vector<int> place_of;        ///< of each particle of all cloths, plus 1; 0: none
     ContactMotion displacements{Quantity::Displacement, {}, {}}, velocities{Quantity::Velocity, {}, {}};
-
-    // Of solves over compact rows
-    std::vector<int> order;            ///< of the rows; empty: plain code solves
-    std::vector<CompactRow> compact;   ///< first those that are active; never made fewer
-    std::vector<std::size_t> levels;   ///< of the places
-    std::vector<std::size_t> groups;   ///< of the rows
-    std::vector<std::size_t> next_of;  ///< place in the order, of each group
 };
 
 /// All contacts that are solved together, and what is known of the substep.
@@ -194,48 +168,14 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
 /// displacements, a small part of what gravity moves a particle by within a step or, if more, of the thickness between
 /// cloths that touch, or the last digits of a metre; of velocities, what that is within a step, but between cloths no
 /// more than what is seen as rest.
-[[nodiscard]] Sweeps solve(ContactProblem& problem, ContactMotion& motion);
-
-/// The same where impulses along the normals are fixed: friction alone.
-[[nodiscard]] Sweeps solve_friction(ContactProblem& problem, ContactMotion& motion);
+/// @param friction_alone impulses along the normals stay as they are
+[[nodiscard]] Sweeps solve(ContactProblem& problem, ContactMotion& motion, bool friction_alone = false);
 
 /// Gives impulses to the contacts that are impacts.
 Sweeps solve_impacts(ContactProblem& problem);
 
 /// Pushes by springs and dampers at the chosen contacts, which have entered.
 Sweeps solve_penalties(ContactProblem& problem);
-
-/// Orders the rows so that neighbours share no particle where that can be, and have equally many: a processor then
-/// solves several at a time. Results have the bits of any order in which contacts that share a particle keep theirs.
-/// Leaves the order empty where plain code is to solve: if that is asked for, or where contacts push a body, which they
-/// share.
-void order_rows(ContactProblem& problem);
-
-/// `solve` over compact rows in that order, with the bits of the plain code.
-Sweeps solve_compact(ContactProblem& problem, ContactMotion& motion, Real tolerance);
-
-namespace kernels {
-
-/// One sweep of `solve` over compact rows, with the bits of the plain code.
-/// @param motion of the particles
-/// @return the square of the largest change
-Real sweep_rows(std::span<Real4> motion, std::span<CompactRow> rows);
-
-}  // namespace kernels
-
-/// Repeats a sweep until nothing changes by more than the tolerance.
-/// @param sweep sweep() returns the square of the largest change
-template <class Sweep>
-Sweeps sweep_until(Real tolerance, Sweep sweep) {
-    Sweeps sweeps;
-    Real square = 0;
-    do {
-        square = sweep();
-        ++sweeps.count;
-    } while (square > tolerance * tolerance && sweeps.count < max_sweeps);
-    sweeps.residual = std::sqrt(square);
-    return sweeps;
-}
 
 /// The responses, each in a file of its own.
 [[nodiscard]] ResponseReport respond_by_projection(ContactProblem& problem);

@@ -53,16 +53,10 @@ void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
     scratch.particles.reserve(count);
     scratch.displacements.particles.reserve(count);
     scratch.velocities.particles.reserve(count);
-    scratch.order.reserve(count);
-    scratch.compact.reserve(count);
-    scratch.levels.reserve(count);
-    scratch.groups.reserve(count);
-    scratch.next_of.reserve(3 * (count + 1));
 }
 
 std::size_t ContactSolver::bytes_for(std::size_t contacts) {
-    constexpr std::size_t of_contact = sizeof(RowState) + sizeof(Scratch::Particle) + 2 * sizeof(Real4) +
-                                       sizeof(CompactRow) + sizeof(int) + 5 * sizeof(std::size_t);
+    constexpr std::size_t of_contact = sizeof(RowState) + sizeof(Scratch::Particle) + 2 * sizeof(Vec3);
     return std::min(contacts, max_reserved) * of_contact;
 }
 
