@@ -24,7 +24,7 @@ struct RowState {
     Real approach = 0;              ///< speed at which they meet, less than zero where they part [m/s]
     Real remaining = 0;             ///< of the substep, after the impact [s]
     std::array<Real, 2> targets{};  ///< least motion along the normal, of displacements and velocities [m, m/s]
-    bool still = false;             ///< its body, or there is none: it does not enter
+    bool still = false;             ///< its body stands still, or it has none: only particles move
     bool included = true;           ///< in the response under way
     bool active = false;            ///< in the solve under way
 };
