@@ -4,7 +4,7 @@ file(REMOVE_RECURSE ${prefix})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --config ${CONFIG} --prefix ${prefix}
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 
-foreach(file IN ITEMS bin/drape share/drape/scenes/original.toml share/drape/charts/common.gp
+foreach(file IN ITEMS bin/drape share/drape/scenes/original.toml share/drape/charts/common.gp share/drape/charts/page.html
     share/doc/drape/copyright share/man/man1/drape-lab.1.gz)
   if(NOT EXISTS ${prefix}/${file})
     message(FATAL_ERROR "not installed: ${file}")

@@ -14,6 +14,9 @@ namespace {
 constexpr std::array<ImU32, 4> curve_colours{IM_COL32(230, 159, 0, 255), IM_COL32(86, 180, 233, 255),
                                              IM_COL32(0, 190, 140, 255), IM_COL32(240, 228, 66, 255)};
 
+static_assert(std::ranges::all_of(plots,
+                                  [](const Plot& plot) { return plot.end - plot.first <= curve_colours.size(); }));
+
 std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
 // What the bar says of where the run stands

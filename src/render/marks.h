@@ -103,8 +103,8 @@ public:
             particle_program_.use();
             gl_.draw_arrays(GL_POINTS, particle_count_);
         }
-        if (show_pins_) draw(pin_program_, springs_, GL_POINTS, particle_count_, 1);
-        if (contact_count_ > 0) draw(contact_program_, contacts_, GL_TRIANGLES, contact_vertices, contact_count_);
+        if (show_pins_) draw_array(pin_program_, springs_, GL_POINTS, particle_count_, 1);
+        if (contact_count_ > 0) draw_array(contact_program_, contacts_, GL_TRIANGLES, contact_vertices, contact_count_);
         const auto spheres = static_cast<int>(bounds_.spheres.size()), edges = static_cast<int>(bounds_.edges.size());
         if (spheres > 0) draw_seen_and_hidden(sphere_program_, spheres_, 2 * circles_per_sphere * segments(), spheres);
         if (edges > 0) draw_seen_and_hidden(edge_program_, edges_, 2 * edges, 1);
@@ -196,7 +196,7 @@ private:
         }
     }
 
-    void draw(const Program& program, StreamArray& array, GLenum mode, int vertices, int instances) {
+    void draw_array(const Program& program, StreamArray& array, GLenum mode, int vertices, int instances) {
         program.use();
         array.bind();
         gl_.draw_arrays(mode, vertices, instances);
@@ -204,7 +204,7 @@ private:
 
     /// Lines, fainter where something is before them. Nothing that asks for depths may be drawn afterwards.
     void draw_seen_and_hidden(const Program& program, StreamArray& array, int vertices, int instances) {
-        draw(program, array, GL_LINES, vertices, instances);
+        draw_array(program, array, GL_LINES, vertices, instances);
         gl_(glVertexAttrib1f, hidden_attribute, 1.0f);
         gl_(glDepthFunc, GL_GREATER);
         gl_.draw_arrays(GL_LINES, vertices, instances);

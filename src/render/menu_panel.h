@@ -1,14 +1,8 @@
 #pragma once
 
-#include <imgui.h>
-
-#include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <span>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drape/render/entries.h"
@@ -25,72 +19,14 @@ public:
     MenuPanel(SettingsPanel& settings, PanelWishes& wishes) : settings_(settings), wishes_(wishes) {}
 
     /// Opens it with these entries and the settings that a scene has.
-    void open(std::span<const Entry> entries, const Settings& settings) {
-        items_.clear();
-        for (const Entry& entry : entries) {
-            const std::string keys = key_text(entry), group = entry.menu.empty() ? "General" : entry.menu;
-            const std::string searched = entry.text + " " + group + " " + keys + " " + entry.command;
-            items_.push_back({group, entry.text, keys, small_letters(searched), MenuMark(entry)});
-        }
-        for (const Setting& setting : setting_table()) {
-            if (!has_panel_row(setting) || section_count(settings, setting) == 0) continue;
-            const std::string name = setting.full_name();
-            const std::string searched = name + " " + setting_label(setting) + " setting " + setting.help;
-            items_.push_back({"Settings", name, "", small_letters(searched), {}, &setting});
-        }
-        query_.clear();
-        search();
-        open_ = moved_ = true;
-    }
-
+    void open(std::span<const Entry> entries, const Settings& settings);
     [[nodiscard]] bool is_open() const { return open_; }
 
     /// A character for it, as `Panels::type` has them.
-    void type(unsigned char code) {
-        constexpr unsigned char erase = 8, enter = 13, next = 14, previous = 16, escape = 27;
-        if (code == enter) return choose();
-        open_ = code != escape;
-        moved_ = true;
-        if (code == next && row_ + 1 < found_.size()) ++row_;
-        if (code == previous && row_ > 0) --row_;
-        if (code == next || code == previous) return;
-        if (code == erase && !query_.empty()) query_.pop_back();
-        const bool opens = code == '/' && query_.empty();  // the key still repeats
-        const bool is_letter = code >= ' ' && code < 127 && !opens && query_.size() < 60;
-        if (is_letter) query_ = small_letters(query_ + static_cast<char>(code));
-        search();
-    }
+    void type(unsigned char code);
 
     /// Makes it, if it is open.
-    void draw(const FrameView& view, const OverlayPage& page) {
-        if (!open_) return;
-        const float size = ImGui::GetFontSize(), row = ImGui::GetTextLineHeightWithSpacing(), pad = 0.8f * size;
-        const float width = std::min(menu_columns * size, page.width - 2 * page.margin);
-        const float height = std::min(menu_rows * row, page.height - 2 * page.margin);
-        const float left = (page.width - width) / 2, top = (page.height - height) / 2;
-        const PanelBox box{left, top, left + width, top + height};
-        ImGui::SetNextWindowBgAlpha(0.96f);
-        if (begin_window(box, "menu", ImGuiWindowFlags_NoDecoration, 0)) {
-            // The field, with a mark where the next character comes
-            const ImVec2 field{left + pad, top + pad}, far{box.right - pad, field.y + 1.8f * size};
-            ImGui::GetWindowDrawList()->AddRectFilled(field, far, ink::groove, 3);
-            const ImVec2 text{field.x + 0.5f * size, field.y + 0.4f * size};
-            text_at(text, ink::text, query_ + "|");
-            const char* what = "Search entries, keys, scenes and settings; Up, Down, Enter, Esc";
-            if (query_.empty()) text_at({text.x + size, text.y}, ink::quiet, what);
-
-            ImGui::SetCursorScreenPos({field.x, far.y + 0.4f * size});
-            ImGui::BeginChild("found", {width - 2 * pad, box.bottom - pad - 1.3f * row - far.y - 0.4f * size});
-            for (std::size_t k = 0; k < found_.size() && open_; ++k) draw_row(k, view);
-            ImGui::EndChild();
-
-            const Setting* setting = row_ < found_.size() ? items_[found_[row_]].setting : nullptr;
-            if (setting != nullptr) text_at({field.x, box.bottom - pad - row}, ink::quiet, setting->help);
-        }
-        end_window();
-        const ImVec2 pointer = ImGui::GetIO().MousePos;
-        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !box.covers(pointer.x, pointer.y)) open_ = false;
-    }
+    void draw(const FrameView& view, const OverlayPage& page);
 
 private:
     struct Item {
@@ -100,63 +36,9 @@ private:
         const Setting* setting = nullptr;  ///< null: an entry
     };
 
-    static constexpr float menu_columns = 58, menu_rows = 30;      // where there is room [font size], rows
-    static constexpr float group_columns = 14, mark_columns = 15;  // [font size]
-
-    static std::string small_letters(std::string text) {
-        for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        return text;
-    }
-
-    void search() {
-        // What is called so or has this key, then what has the query in its name, the sooner the better
-        const auto place = [this](std::size_t k) {
-            const std::string text = small_letters(items_[k].text), keys = ", " + small_letters(items_[k].keys) + ", ";
-            const bool is_it = text == query_ || keys.find(", " + query_ + ", ") != std::string::npos;
-            return std::pair(!is_it, text.find(query_));
-        };
-        found_.clear();
-        for (std::size_t k = 0; k < items_.size(); ++k) {
-            std::istringstream words(query_);
-            bool fits = true;
-            for (std::string word; fits && words >> word;) fits = items_[k].searched.find(word) != std::string::npos;
-            if (fits) found_.push_back(k);
-        }
-        if (!query_.empty()) std::ranges::stable_sort(found_, {}, place);
-        row_ = 0;
-    }
-
-    void choose() {
-        if (row_ >= found_.size()) return;
-        open_ = false;
-        const Setting* setting = items_[found_[row_]].setting;
-        setting != nullptr ? settings_.show(*setting) : void(wishes_.entry = found_[row_]);
-    }
-
-    void draw_row(std::size_t row, const FrameView& view) {
-        const Item& item = items_[found_[row]];
-        const float size = ImGui::GetFontSize(), end = ImGui::GetContentRegionMax().x + ImGui::GetWindowPos().x - size;
-        const ImVec2 corner = ImGui::GetCursorScreenPos();
-        ImGui::PushID(static_cast<int>(row));
-        if (ImGui::Selectable("##row", row == row_)) row_ = row, choose();
-        ImGui::PopID();
-        if (row == row_ && std::exchange(moved_, false)) ImGui::SetScrollHereY();
-
-        const auto write = [&](float x, ImU32 colour, std::string_view text) {
-            ImGui::GetWindowDrawList()->AddText({x, corner.y}, colour, text.data(), text.data() + text.size());
-        };
-        if (row == 0 || items_[found_[row - 1]].group != item.group) write(corner.x, ink::quiet, item.group);
-        ImGui::PushClipRect(corner, {end - mark_columns * size, corner.y + 2 * size}, true);
-        write(corner.x + group_columns * size, ink::text, item.text);
-        ImGui::PopClipRect();
-        std::string mark(item.mark.text(*view.settings, view.scene, view.paused));
-        // Another scene may have come, without such a section
-        if (item.setting != nullptr && section_count(*view.settings, *item.setting) > 0) {
-            mark = shown_value(*item.setting, item.setting->read(*view.settings, 0));
-        }
-        write(end - mark_columns * size + size, ink::good, mark);
-        write(end - text_width(item.keys), ink::wait, item.keys);
-    }
+    void search();
+    void choose();
+    void draw_row(std::size_t row, const FrameView& view);
 
     SettingsPanel& settings_;
     PanelWishes& wishes_;

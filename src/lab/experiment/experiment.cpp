@@ -100,6 +100,13 @@ void Row::set(const Row& other) {
     for (const auto& [column, cell] : other.cells_) set(column, cell);
 }
 
+double Row::number(const std::string& column) const {
+    const std::string cell = word(column);
+    if (cell.empty() || cell == "nan") return no_number;
+    if (const auto number = parse_real(cell)) return *number;
+    throw RunError("a row has '" + cell + "' for the number '" + column + "'");
+}
+
 std::string Row::text(const Column& column, int digits) const {
     const auto found = cells_.find(column.name);
     const bool is_word = column.kind == Column::Kind::Word;

@@ -105,10 +105,8 @@ public:
     void set(const Row& other);
 
     /// What it has in a column, as a number and as it is.
-    /// @throws std::out_of_range if the row has no cell there
-    [[nodiscard]] double number(const std::string& column) const {
-        return parse_real(word(column)).value_or(no_number);
-    }
+    /// @throws std::out_of_range if the row has no cell there; RunError if it has a word where a number is asked for
+    [[nodiscard]] double number(const std::string& column) const;
     [[nodiscard]] std::string word(const std::string& column) const { return cells_.at(column); }
 
     /// What a table has of it.

@@ -107,7 +107,9 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
     // The name of a part stands between two '$'
     for (std::string text, part; std::getline(page, text, '$');) {
         file.stream() << text;
-        if (std::getline(page, part, '$')) file.stream() << parts.at(part);
+        if (!std::getline(page, part, '$')) break;
+        if (!parts.contains(part)) throw RunError("charts/page.html has an unknown part: $" + shortened(part) + "$");
+        file.stream() << parts.at(part);
     }
     file.close();
 }

@@ -164,23 +164,23 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
 }
 
 /// Adds to a work-precision diagram the orders of its methods, and what its reference is worth.
-/// @param scene its rows
+/// @param rows of its scene
 /// @throws RunError if small errors grow on the scene by more than `most_growth`, or its reference is not two decades
 ///         better than the best point: nothing is drawn then
-void complete_diagram(Chart& diagram, const Rows& scene) {
-    Rows own = scene;
+void complete_diagram(Chart& diagram, const Rows& rows) {
+    Rows own = rows;
     // They could not be drawn
     std::erase_if(own, [](const Row& row) {
         return row.word("end") == "bounded" && std::isnan(row.number("error") + row.number("cost_s_per_s"));
     });
     const Rows points = rows_with(own, "end", "bounded");
     if (points.empty()) return;
-    const std::string name = points.front().word("scene");
+    const std::string scene = points.front().word("scene");
     const double growth = points.front().number("growth");
     if (!(growth <= most_growth)) {
         throw RunError(fmt::format(
             "precision: small errors grow {:.3g} times on the scene '{}', more than {:.3g}: no chart is drawn", growth,
-            name, most_growth));
+            scene, most_growth));
     }
     const double margin =
         std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
@@ -188,7 +188,7 @@ void complete_diagram(Chart& diagram, const Rows& scene) {
         throw RunError(
             fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
                         "the best point, less than {:.3g}: no chart is drawn",
-                        name, margin, least_margin));
+                        scene, margin, least_margin));
     }
     diagram.caption = caption_of(points.front());
     for (const std::string& method : words_of(own, "method")) {
