@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -51,17 +52,18 @@ public:
         matrix_.coeffs().setZero();
         // Mass and drag; a pinned particle has the mass alone
         for (int p = 0; p < model.grid.particles(); ++p) {
+            const auto columns = block(place(p), place(p));
             const Real drag = model.pinned(p) ? Real(0) : d_scale * jacobian.drag();
-            for (int k = 3 * place(p); k < 3 * place(p) + 3; ++k) matrix_.coeffRef(k, k) = model.particle_mass + drag;
+            for (int c = 0; c < 3; ++c) columns[static_cast<std::size_t>(c)][c] = model.particle_mass + drag;
         }
 
         // Springs and wind; blocks are symmetric, so that it does not matter which end comes first
         jacobian.for_each_block(k_scale, d_scale, [&](int a, int b, const Jacobian::Block& added) {
             if (model.pinned(a) || model.pinned(b)) return;
             const auto [row, column] = std::minmax(place(a), place(b));
+            const auto columns = block(row, column);
             for (int c = 0; c < 3; ++c) {
-                const int rows = a == b ? c + 1 : 3;
-                for (int r = 0; r < rows; ++r) matrix_.coeffRef(3 * row + r, 3 * column + c) += added(r, c);
+                for (int r = 0; r <= (a == b ? c : 2); ++r) columns[static_cast<std::size_t>(c)][r] += added(r, c);
             }
         });
         ldlt_.refactorise(matrix_);
@@ -131,6 +133,16 @@ private:
     }
 
     [[nodiscard]] const int& place(int particle) const { return place_[static_cast<std::size_t>(particle)]; }
+
+    /// The three columns of an upper block, in the order of the rows: &A(3I, 3J + c).
+    [[nodiscard]] std::array<Real*, 3> block(int row, int column) {
+        // The three columns hold the same blocks above their diagonal ones, so that one search serves
+        const int* const starts = matrix_.outerIndexPtr() + 3 * column;
+        const int* const rows = matrix_.innerIndexPtr();
+        const auto offset = std::lower_bound(rows + starts[0], rows + starts[1], 3 * row) - (rows + starts[0]);
+        Real* const values = matrix_.valuePtr() + offset;
+        return {values + starts[0], values + starts[1], values + starts[2]};
+    }
 
     std::vector<int> place_;  ///< of each particle in the matrix
     Matrix matrix_;           ///< upper triangle, in the order of `place_`
