@@ -164,11 +164,12 @@ public:
         search.maximise(0, 1, turns);
         const Mode most_damped = search.mode();
         const auto unit = [](Real a, Real b) { return a > 0 || b > 0 ? static_cast<double>(std::max(a, b)) : 1.0; };
-        units_ << unit(stiffest.stiffness, most_damped.stiffness), unit(stiffest.damping, most_damped.damping);
+        stiffness_unit_ = unit(stiffest.stiffness, most_damped.stiffness);
+        damping_unit_ = unit(stiffest.damping, most_damped.damping);
 
         // Two sides are known beforehand, and stand near this corner
-        const Pair softest(0, least_damping / units_[1]), unknown(0, 0);
-        sides_ = {{{0, -1}, -softest[1], softest}, {{1, 0}, 0, unknown}, {{0, 1}, 0, unknown}, {{-1, 0}, 0, softest}};
+        const Pair softest{0, least_damping / damping_unit_};
+        sides_ = {{0, -1, -softest.d, softest}, {1, 0, 0, {}}, {0, 1, 0, {}}, {-1, 0, 0, softest}};
         add(stiffest, 1);
         add(most_damped, 2);
     }
@@ -196,26 +197,31 @@ public:
             attained = decides(mode);
         }
         if (attained && outside.value >= (1 - 2 * precision) * best.step) return best;
-        return {outside.at[0] * units_[0], outside.at[1] * units_[1], outside.value, false, std::move(best.shape)};
+        return {outside.at.k * stiffness_unit_, outside.at.d * damping_unit_, outside.value, false,
+                std::move(best.shape)};
     }
 
 private:
     static constexpr int turns = 200;
 
     /// k and d, in units of the largest of each.
-    using Pair = Eigen::Vector2d;
+    struct Pair {
+        double k = 0, d = 0;
+    };
 
-    /// A line that no pair lies beyond: normal . (k, d) <= height.
+    /// A line that no pair lies beyond: a k + b d <= height.
     struct Side {
-        Pair normal;
+        double a, b;
         double height;
         Pair touch;  ///< where the set reaches it, or nearly
+
+        [[nodiscard]] double of(const Pair& p) const { return a * p.k + b * p.d; }
     };
 
     /// The least of some values, and where it is.
     struct Least {
         double value = std::numeric_limits<double>::infinity();
-        Pair at = Pair::Zero();
+        Pair at = {};
         std::size_t side = 0;  ///< the corner is that of this side and the next
 
         void note(double other, const Pair& p, std::size_t number) {
@@ -223,18 +229,20 @@ private:
         }
     };
 
+    static Pair between(const Pair& p, const Pair& q, double s) {
+        return {p.k + s * (q.k - p.k), p.d + s * (q.d - p.d)};
+    }
+
     /// Where two sides meet.
     static Pair corner(const Side& p, const Side& q) {
-        const Pair &a = p.normal, &b = q.normal;
-        const double area = a[0] * b[1] - a[1] * b[0];
+        const double area = p.a * q.b - p.b * q.a;
         if (!(area > 1e-12)) return p.touch;  // one side, found twice
-        return {(p.height * b[1] - q.height * a[1]) / area, (a[0] * q.height - b[0] * p.height) / area};
+        return {(p.height * q.b - q.height * p.b) / area, (p.a * q.height - q.a * p.height) / area};
     }
 
     /// The least value on the polygon outside and on that within.
     void measure(Least& outside, Least& within) const {
         constexpr int samples = 4;
-        const auto between = [](const Pair& p, const Pair& q, double s) -> Pair { return p + s * (q - p); };
         for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
             const Pair from = sides_[i].touch, to = sides_[i + 1].touch, tip = corner(sides_[i], sides_[i + 1]);
             for (int n = 0; n <= samples; ++n) {
@@ -251,22 +259,22 @@ private:
     /// @return false if there is nothing to cut
     bool cut(std::size_t number) {
         const Pair from = sides_[number].touch, to = sides_[number + 1].touch;
-        const Pair across(to[1] - from[1], from[0] - to[0]);
-        const double size = across.lpNorm<1>();
+        const double a = to.d - from.d, b = from.k - to.k, size = std::abs(a) + std::abs(b);
         if (!(size > 1e-9)) return false;
-        search_.maximise(static_cast<Real>(across[0] / (size * units_[0])),
-                         static_cast<Real>(across[1] / (size * units_[1])), turns);
+        search_.maximise(static_cast<Real>(a / (size * stiffness_unit_)), static_cast<Real>(b / (size * damping_unit_)),
+                         turns);
         const auto place = sides_.begin() + static_cast<std::ptrdiff_t>(number) + 1;
-        sides_.insert(place, Side{across / size, -std::numeric_limits<double>::infinity(), from});
+        sides_.insert(place, Side{a / size, b / size, -std::numeric_limits<double>::infinity(), {}});
         add(search_.mode(), number + 1);
         return true;
     }
 
     [[nodiscard]] Pair pair_of(const Mode& mode) const {
-        return Pair(static_cast<double>(mode.stiffness), static_cast<double>(mode.damping)).cwiseQuotient(units_);
+        return {static_cast<double>(mode.stiffness) / stiffness_unit_,
+                static_cast<double>(mode.damping) / damping_unit_};
     }
     [[nodiscard]] double limit_of(const Pair& p) const {
-        return longest_(std::max(p[0], 0.0) * units_[0], std::max(p[1], 0.0) * units_[1]);
+        return longest_(std::max(p.k, 0.0) * stiffness_unit_, std::max(p.d, 0.0) * damping_unit_);
     }
 
     /// Takes a vibration for that at which the set reaches a side. A search may have ended a little early: what another
@@ -275,13 +283,13 @@ private:
         found_.push_back(mode);
         sides_[number].touch = pair_of(mode);
         for (Side& side : sides_) {
-            for (const Mode& known : found_) side.height = std::max(side.height, side.normal.dot(pair_of(known)));
+            for (const Mode& known : found_) side.height = std::max(side.height, side.of(pair_of(known)));
         }
     }
 
     ModeSearch& search_;
     std::function<double(double, double)> longest_;
-    Pair units_;               ///< of k and d
+    double stiffness_unit_ = 1, damping_unit_ = 1;
     std::vector<Side> sides_;  ///< counter-clockwise, from that of the least damping to that of no stiffness
     std::vector<Mode> found_;
 };
