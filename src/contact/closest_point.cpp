@@ -113,7 +113,7 @@ ClosestOfSegments closest_of_segments(const Vec3& a, const Vec3& b, const Vec3& 
     const Real s = across > 0 ? (uv * v.dot(w) - vv * u.dot(w)) / across : Real(0);
     const Real t = s > 0 && s < 1 ? weight_within(a + s * u, c, v, vv) : Real(0);
     const bool inside = t > 0 && t < 1;
-    constexpr Real nearly_parallel = Real(1e-6);
+    constexpr Real nearly_parallel = Real(5e9) * std::numeric_limits<Real>::epsilon();  // all are, in single precision
     if (inside && across > nearly_parallel * uu * vv) {
         take(s, t);
         return best;

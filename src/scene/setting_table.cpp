@@ -194,7 +194,7 @@ void add_the_rest(std::vector<Setting>& table) {
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
                "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
     solver.add("kernels", &SolverSettings::kernels,
-               "of forces, hierarchy and contact: vectors, or the plain code that is there to be read");
+               "of forces, hierarchy and detection: vectors, or the plain code that is there to be read");
     solver.add("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");
     solver.add(
         "on_unstable", &SolverSettings::on_unstable,

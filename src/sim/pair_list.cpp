@@ -34,7 +34,7 @@ void PairList::close() {
         for (const NearPair& pair : part.near) list_.push_back({pair.features, pair.triangle, pair.distance});
         part.near.clear();
     }
-    std::ranges::sort(list_, {}, &Listed::features);
+    std::ranges::sort(list_, {}, &Listed::features);  // each is there once, so that threads do not show
 }
 
 }  // namespace drape

@@ -95,10 +95,11 @@ TEST(Segments, AreAsFarApartAsManyPointsOnThemSay) {
     const auto point = [&] { return Vec3(normal(random), normal(random), normal(random)); };
     for (int trial = 0; trial < 2000; ++trial) {
         const Vec3 a = point(), b = point(), c = point();
-        // Any; parallel; nearly parallel; on one line; a point
-        const Vec3 directions[] = {point(), b - a, (b - a) + Real(1e-7) * point(), b - a, Vec3(0, 0, 0)};
+        // Any; parallel; on one line; a point; ever nearer to parallel
+        const Vec3 directions[] = {point(), b - a, b - a, Vec3(0, 0, 0),
+                                   (b - a) + std::pow(Real(10), -Real(trial % 9)) * point()};
         const auto kind = static_cast<std::size_t>(trial % 5);
-        const Vec3 from = kind == 3 ? Vec3(a + normal(random) * (b - a)) : c;
+        const Vec3 from = kind == 2 ? Vec3(a + normal(random) * (b - a)) : c;
         const Vec3 to = from + normal(random) * directions[kind];
         const ClosestOfSegments closest = closest_of_segments(a, b, from, to);
         const Real distance = closest.offset.norm(), sampled = sampled_distance(a, b, from, to);

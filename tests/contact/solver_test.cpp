@@ -129,6 +129,12 @@ TEST(ContactSolver, PushesAndNeverPullsAndStaysInTheConeOfFriction) {
     for (const ResponseKind kind : kinds) {
         TwoSheets sheets(4, turning_ball(), {Real(0.4), 0});
         sheets.respond({.kind = kind, .friction = Real(0.4)});
+        for (const RowKind of : {RowKind::Particle, RowKind::Triangle, RowKind::Pair}) {
+            EXPECT_GT(std::ranges::count_if(
+                          sheets.rows, [of](const ContactRow& row) { return row.kind == of && row.has_impulse(); }),
+                      3)
+                << name_of(kind);
+        }
         for (const ContactRow& row : sheets.rows) {
             for (const RowImpulse* given : {&row.displacement, &row.impulse}) {
                 ASSERT_GE(given->normal, 0);

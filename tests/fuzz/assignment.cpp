@@ -32,9 +32,7 @@ void check_texts(const Settings& settings) {
         const SettingValue value = setting.read(settings, 0);
         if (setting.kind == SettingKind::Path && std::get<std::vector<double>>(value).empty()) continue;
         const std::string text = value_text(value);
-        SettingValue again;
-        const bool reads_back = fuzz::accepts([&] { again = parse_value(setting, text); });
-        fuzz::require(reads_back && again == value, "a value's text stands for the value");
+        fuzz::require(parse_value(setting, text) == value, "a value's text stands for the value");
     }
 }
 

@@ -104,7 +104,8 @@ TEST(HierarchyRun, EndsWhereAQueryDisagreesWithBruteForce) {
 
 TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     MotionWanted wanted{.scene = "drop", .from = 0.1, .interval = 0.01, .frames = 3};
-    const RecordedMotion motion = find_motion(wanted);
+    Motions motions;
+    const RecordedMotion motion = find_motion(motions, wanted);
     ASSERT_EQ(motion.x.size(), 3u);
     ASSERT_EQ(motion.balls.size(), 3u);
     EXPECT_NEAR(motion.interval, 0.01, 2e-4) << "a whole number of steps";
@@ -122,7 +123,7 @@ TEST(RecordedMotion, IsWhatTheSceneIsBuiltFromAndTheSameSurfaceOnFinerGrids) {
     EXPECT_LT((motion.x[2] - simulation.cloths()[0].state.x).cwiseAbs().maxCoeff(), 1e-3);
 
     wanted.side = 59;
-    const RecordedMotion finer = find_motion(wanted);
+    const RecordedMotion finer = find_motion(motions, wanted);
     for (int j = 0; j < 30; ++j) {
         for (int i = 0; i < 30; ++i) {
             const int coarse = motion.grid.particle(i, j), fine = finer.grid.particle(2 * i, 2 * j);

@@ -49,6 +49,14 @@ TEST_F(PlottedScene, ShowsTheLastTenSecondsAndForgetsWhatWasBefore) {
     }
 }
 
+TEST_F(PlottedScene, KeepsNoMoreThanItMay) {
+    run(0, 27);
+    settings_.view.speed = 100;
+    keep(27 + 1000.0 / PlotHistory::most);
+    EXPECT_EQ(history_.span(), 1000) << "longer than what it was kept for";
+    EXPECT_EQ(history_.shown().size(), PlotHistory::most);
+}
+
 TEST_F(PlottedScene, BeginsAgainAfterAResetAndInAnotherScene) {
     run(0, 3);
     keep(0);

@@ -29,6 +29,8 @@ protected:
             vertex.position[2] = 0.1f * static_cast<float>(p / grid.nx);
             vertex.value = static_cast<float>(p);
             vertex.pinned = 1;
+            vertex.place = {static_cast<float>(p), 1, 2, 3};
+            vertex.number = 5;
         }
     }
 
@@ -87,6 +89,8 @@ TEST_F(SmoothOutlineTest, IsRoundWhereThePolygonHasCornersAndLeavesTheParticlesW
     const ClothVertex &a = vertices_[9], &b = vertices_[10], &middle = vertices_[72 + 3 * 9];
     EXPECT_EQ(middle.value, 9.5f);
     EXPECT_EQ(middle.pinned, 0);
+    EXPECT_EQ(middle.place, (std::array{9.5f, 1.0f, 2.0f, 3.0f}));
+    EXPECT_EQ(middle.number, 5);
     for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(middle.normal[axis], (a.normal[axis] + b.normal[axis]) / 2, 1e-6);
 }
 

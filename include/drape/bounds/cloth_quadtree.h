@@ -142,8 +142,8 @@ public:
 private:
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
-    /// Into every node that is not apart from what is searched for, level by level from the root down; the cells of the
-    /// leaves that are not are the candidates. What ends a limited search has so seen all of the cloth alike.
+    /// Into every node that is not apart from what is searched for; the cells of the leaves that are not are the
+    /// candidates. Level by level from the root down, so that a search that a limit ends has seen all of the cloth alike.
     /// @param mark told of each node and what is done with it
     /// @cite dissertation @cite hubbard1996
     template <class IsApart, class Mark>
@@ -290,7 +290,7 @@ private:
     }
 
     /// A leaf counts as moved where a particle is farther from where it was fitted than a fiftieth of the leaf's size,
-    /// and until then the slack makes up for it.
+    /// and until then the slack makes up for it. The first time all of them have.
     /// @par Cost O(particles) to see what has moved, and a merge of that
     void refit(const Points& x) {
         stale_.resize(nodes_.size());

@@ -82,7 +82,7 @@ private:
     Real least_ = 0;  ///< distance [m]
     std::span<const ClothInContact> cloths_;
     std::span<const std::size_t> first_;  ///< particle of each cloth, among all
-    std::vector<ClothState> free_;        ///< where the cloths would have come to, if there is a zone
+    std::vector<ClothState> free_;        ///< where the cloths would have come to, when there was a zone last
     std::vector<int> zone_of_;            ///< of each particle; -1: none
     std::vector<Zone> zones_;             ///< those that have joined others are empty
 };

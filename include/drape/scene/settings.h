@@ -74,7 +74,7 @@ struct SolverSettings {
     Real tolerance = 0;
     int newton_steps = 1;
     int threads = 1;
-    Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and contact
+    Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and detection
     double dt = 2e-4;                   ///< in every precision: it counts steps and time
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]

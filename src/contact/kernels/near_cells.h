@@ -12,7 +12,7 @@ namespace drape::kernels {
 
 inline constexpr int max_near_cells = 31;
 
-/// Which cells of a row their corners do not show to be too far from a ball to touch it, a bit each. For a point of a
+/// Which cells of a row may touch a ball, as far as their corners tell: bit k is the k-th cell. For a point of a
 /// triangle with weights w_i, |p - sum w_i v_i|^2 = sum w_i |p - v_i|^2 - sum_{i<j} w_i w_j |v_i - v_j|^2 (Leibniz).
 /// With sides of s at most, and so a diagonal of 2 s at most between v_2 and v_3, the last sum is at most
 /// (w_1 (1 - w_1) + 4 w_2 w_3) s^2 <= s^2: where all corners are farther away than sqrt(r^2 + s^2), nothing touches.

@@ -1,5 +1,7 @@
 #include "problem.h"
 
+#include <algorithm>
+
 // The penalty-impulse hybrid: an impulse where two sides meet faster than gravity alone brings them together within a
 // few steps, a penalty where they rest. @cite constantinescu2005 Where something comes deep into a ball, impulses
 // alone.

@@ -1,5 +1,8 @@
 #include "problem.h"
 
+#include <algorithm>
+#include <cmath>
+
 // One impulse per impact changes velocities at its time, and moves positions by that change over the rest of the
 // substep @cite mirtich1995. What is still inside after that, and what rests, is projected: impulses that put back what
 // has entered would make resting cloth quiver.

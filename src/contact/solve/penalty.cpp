@@ -1,5 +1,6 @@
 #include "problem.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,8 +91,9 @@ Sweeps solve_penalties(ContactProblem& problem) {
     } else {
         push_by_displacements(problem);
     }
-    const Sweeps sweeps = solve(problem, problem.scratch.displacements, true);
-    const Sweeps more = solve(problem, problem.scratch.velocities, true);
+    constexpr bool friction_alone = true;
+    const Sweeps sweeps = solve(problem, problem.scratch.displacements, friction_alone);
+    const Sweeps more = solve(problem, problem.scratch.velocities, friction_alone);
     return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
 }
 

@@ -17,11 +17,11 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
     for (const RowParticle& p : row.moved()) {
         state.start += p.weight * position(problem.cloths[static_cast<std::size_t>(p.cloth)].before, p.particle);
     }
-    const auto stands = [&](const Body& body) {
+    const auto is_still = [](const Body& body) {
         return body.inverse_mass == 0 && body.moved.isZero(0) && body.turned.isZero(0) && body.velocity.isZero(0) &&
                body.spin.isZero(0);
     };
-    state.still = row.body == no_body || stands(problem.body(row.body));
+    state.stands = row.body == no_body || is_still(problem.body(row.body));
     state.mobilities = mobilities_of(problem.cloths, row);
     const Real of_particles = inverse_mass_of_particles(row, state.mobilities);
     Real of_bodies = 0;

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "contact/tuning.h"
@@ -24,7 +22,7 @@ struct RowState {
     Real approach = 0;              ///< speed at which they meet, less than zero where they part [m/s]
     Real remaining = 0;             ///< of the substep, after the impact [s]
     std::array<Real, 2> targets{};  ///< least motion along the normal, of displacements and velocities [m, m/s]
-    bool still = false;             ///< its body stands still, or it has none: only particles move
+    bool stands = false;            ///< its second side, or there is none: it has no motion, and takes none
     bool included = true;           ///< in the response under way
     bool active = false;            ///< in the solve under way
 };
@@ -110,7 +108,7 @@ inline Vec3 relative(const ContactProblem& problem, const ContactMotion& motion,
     for (std::size_t k = 0; k < row.count; ++k) sum += row.particles[k].weight * motion.of(state.places[k]);
     if (motion.quantity == Quantity::Displacement) sum -= state.start;
     if (row.first_body != no_body) sum += motion_of_body(problem, motion, row.first_body, -row.normal);
-    if (!state.still) sum -= motion_of_body(problem, motion, row.body, row.normal);
+    if (!state.stands) sum -= motion_of_body(problem, motion, row.body, row.normal);
     return sum;
 }
 
@@ -126,7 +124,7 @@ inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, 
     };
     for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.mobilities[k] * impulse;
     push_body(row.first_body, -row.normal, impulse);
-    if (!state.still) push_body(row.body, row.normal, -impulse);
+    if (!state.stands) push_body(row.body, row.normal, -impulse);
 }
 
 /// Fills what is known of each row, and takes the motion of all that is in contact.

@@ -1,5 +1,7 @@
 #include "problem.h"
 
+#include <algorithm>
+
 // Positions are projected out of balls and ground @cite provot1995, each contact by the least displacement of its
 // particles, and held against sliding by friction; then the velocities of those that were pushed are stopped, or
 // thrown back. What the projection moves does not become velocity.

@@ -1,5 +1,7 @@
 #include "problem.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace drape {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <utility>
 
@@ -57,8 +58,9 @@ Hierarchies with_every_update(BroadPhaseParameters parameters) {
 template <class AddRows>
 ExperimentCases cases_of(const std::vector<MotionWanted>& wanted, const std::vector<Hierarchies>& lists,
                          const AddRows& add_rows) {
-    const auto run = [=](const MotionWanted& one, const Hierarchies& hierarchies) {
-        const RecordedMotion motion = find_motion(one);
+    const auto run = [add_rows, motions = std::make_shared<Motions>()](const MotionWanted& one,
+                                                                       const Hierarchies& hierarchies) {
+        const RecordedMotion motion = find_motion(*motions, one);
         Rows rows;
         for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
         return rows;

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -96,9 +94,8 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     return motion;
 }
 
-RecordedMotion find_motion(const MotionWanted& wanted) {
-    static std::map<std::tuple<std::string, double, double, int>, RecordedMotion> all;
-    RecordedMotion& recorded = all[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
+RecordedMotion find_motion(Motions& motions, const MotionWanted& wanted) {
+    RecordedMotion& recorded = motions[{wanted.scene, wanted.from, wanted.interval, wanted.frames}];
     if (recorded.x.empty()) recorded = record_motion(wanted, load_scene(wanted.scene));
     RecordedMotion motion = recorded;
     if (wanted.side == 0) return motion;

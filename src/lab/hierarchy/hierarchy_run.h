@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
@@ -31,14 +33,18 @@ struct MotionWanted {
     int side = 0;  ///< particles along each side, to which `find_motion` resamples it; 0: as the scene has them
 };
 
+/// Recorded motions, by what was wanted but for the side.
+using Motions = std::map<std::tuple<std::string, double, double, int>, RecordedMotion>;
+
 /// Simulates a scene and keeps frames of its first cloth and first ball, as they are under the settings.
 /// @pre the scene has a ball
 /// @throws RunError if the scene diverges on the way
 RecordedMotion record_motion(const MotionWanted& wanted, Settings settings);
 
 /// The same under the scene's own settings, or the same surfaces under another number of particles, bilinearly between
-/// those that there are. What was recorded is kept for whoever wants these frames again.
-RecordedMotion find_motion(const MotionWanted& wanted);
+/// those that there are.
+/// @param motions keeps what is recorded, for whoever wants these frames again
+RecordedMotion find_motion(Motions& motions, const MotionWanted& wanted);
 
 /// How large nodes are beside the smallest volumes of their kind about the same particles: 1 is as tight as can be.
 /// Sizes are radii of spheres, and the mean half width of other volumes between their pairs of faces; what a tree has
