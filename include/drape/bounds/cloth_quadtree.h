@@ -143,7 +143,8 @@ private:
     static std::size_t at(int n) { return static_cast<std::size_t>(n); }
 
     /// Into every node that is not apart from what is searched for; the cells of the leaves that are not are the
-    /// candidates. Level by level from the root down, so that a search that a limit ends has seen all of the cloth alike.
+    /// candidates. Level by level from the root down, so that a search that a limit ends has seen all of the cloth
+    /// alike.
     /// @param mark told of each node and what is done with it
     /// @cite dissertation @cite hubbard1996
     template <class IsApart, class Mark>
