@@ -118,7 +118,7 @@ void expect_held_back(const FoldedSheet& sheet, const NearPair& pair) {
 class FoldedPairs : public testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(Sheets, FoldedPairs, testing::Values(test::sanitized ? 2'000 : 20'000));
-INSTANTIATE_TEST_SUITE_P(Nightly, FoldedPairs, testing::Values(10'000'000));
+INSTANTIATE_TEST_SUITE_P(Nightly, FoldedPairs, testing::Values(2'000'000));
 
 TEST_P(FoldedPairs, AreThoseOfTheDefinition) {
     std::mt19937 random(11);
