@@ -164,7 +164,7 @@ void add_needs(std::vector<Setting>& table) {
     needs.add("diverges", &NeedsSettings::diverges,
               "the scene must have diverged by the horizon, to show how a method fails");
     needs.add("keep", &NeedsSettings::keep,
-              "settings that stay as they are by the scene's nature: particles, bend, drag, integrator, dt, iterations, "
+              "what stays as it is by the scene's nature: particles, bend, drag, integrator, dt, iterations, "
               "volume, update, sphere_fit, leaf_cells, with commas between");
     needs.add(
         "full.particles", [](auto& n) -> auto& { return n.full.particles; }, "", {0, 4096},
