@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace drape {
 namespace {
@@ -37,13 +38,15 @@ bool make_rectangle(const CellRange& first, const CellRange& second) {
            (same_columns && (first.j1 == second.j0 || second.j1 == first.j0));
 }
 
+std::array<int, 3> corner_of(const QuadtreeNode& node) { return {node.level, node.i0, node.j0}; }
+
 }  // namespace
 
 FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
     : grid_(grid), hx_(hx), hy_(hy), nodes_(make_quadtree_nodes(grid, leaf_cells)), derivatives_(nodes_.size()) {
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        by_corner_[{nodes_[n].level, nodes_[n].i0, nodes_[n].j0}] = static_cast<int>(n);
-    }
+    by_corner_.resize(nodes_.size());
+    std::iota(by_corner_.begin(), by_corner_.end(), 0);
+    std::ranges::sort(by_corner_, {}, [&](int n) { return corner_of(nodes_[static_cast<std::size_t>(n)]); });
 }
 
 void FoldTest::build(const Points& x, std::span<const Real> reaches) {
@@ -110,10 +113,10 @@ std::array<int, 2> FoldTest::at_corner_of(int first, int second) const {
         one.level == two.level && (one.i1 == two.i0 || one.i0 == two.i1) && (one.j1 == two.j0 || one.j0 == two.j1);
     if (!share_corner) return {-1, -1};
     const auto beside_both = [&](int i0, int j0) {
-        const auto found = by_corner_.find({one.level, i0, j0});
-        if (found == by_corner_.end()) return -1;
-        const QuadtreeNode& other = node(found->second);
-        return make_rectangle(one, other) && make_rectangle(two, other) ? found->second : -1;
+        const std::array<int, 3> corner{one.level, i0, j0};
+        const auto found = std::ranges::lower_bound(by_corner_, corner, {}, [&](int n) { return corner_of(node(n)); });
+        if (found == by_corner_.end() || corner_of(node(*found)) != corner) return -1;
+        return make_rectangle(one, node(*found)) && make_rectangle(two, node(*found)) ? *found : -1;
     };
     const std::array<int, 2> others{beside_both(two.i0, one.j0), beside_both(one.i0, two.j0)};
     return std::min(others[0], others[1]) < 0 ? std::array{-1, -1} : others;

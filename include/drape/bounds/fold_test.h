@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -65,8 +64,8 @@ private:
     Grid grid_;
     Real hx_ = 0, hy_ = 0;
     std::vector<QuadtreeNode> nodes_;
-    std::map<std::array<int, 3>, int> by_corner_;  ///< numbers of the nodes by level, i0 and j0
-    std::vector<Derivatives> derivatives_;         ///< of each node
+    std::vector<int> by_corner_;            ///< numbers of the nodes by level, i0 and j0
+    std::vector<Derivatives> derivatives_;  ///< of each node
 };
 
 }  // namespace drape

@@ -91,16 +91,20 @@ void ImpactZones::join(const NearPair& pair, Real part) {
     }
     Zone& zone = zones_[static_cast<std::size_t>(all)];
     zone.part = std::min(zone.part, part);
+    const auto take = [&](const Member& member) {
+        zone_of_[number_of(member)] = all;
+        zone.members.push_back(member);
+    };
     for (std::size_t k = 0; k < 4; ++k) {
         const int other = zone_of(pair, k);
         if (other == all) continue;
-        Zone joined{{{pair.features.cloth_of(k), pair.features.particles[k]}}};
-        if (other >= 0) joined = std::exchange(zones_[static_cast<std::size_t>(other)], {});
-        zone.part = std::min(zone.part, joined.part);
-        for (const Member& member : joined.members) {
-            zone_of_[number_of(member)] = all;
-            zone.members.push_back(member);
+        if (other < 0) {
+            take({pair.features.cloth_of(k), pair.features.particles[k]});
+            continue;
         }
+        const Zone joined = std::exchange(zones_[static_cast<std::size_t>(other)], {});
+        zone.part = std::min(zone.part, joined.part);
+        for (const Member& member : joined.members) take(member);
     }
 }
 

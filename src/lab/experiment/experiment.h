@@ -145,7 +145,7 @@ struct Chart {
     std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
     std::string caption = {};                  ///< under the picture, after what the script's head says of it
-    /// Adds values and a caption that follow from the rows of its word, where there is a chart a word.
+    /// Adds values and a caption that follow from the rows of its word, where `charts_by` draws a chart for each word.
     std::function<void(Chart&, const Rows& rows)> complete = {};
 };
 
