@@ -38,6 +38,12 @@ inline constexpr Real same_side = Real(0.5);
 /// 1 / sqrt(0.05), some 4.5, times as far as the point.
 inline constexpr Real min_mobility = Real(0.05);
 
+// Motors
+
+/// A motor is stopped by cloth that is stretched by this beyond its limit, of the rest length, when the limit has done
+/// what it could.
+inline constexpr Real taut_stretch = Real(0.02);
+
 // What rests
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.
@@ -67,8 +73,6 @@ inline constexpr int max_descents = 48;
 /// A descent is given up where even so many times the slope gap would not bring it down to the limit. Once is a proof
 /// for a convex distance; the rest is a margin on a mesh, where the slope proves nothing.
 inline constexpr Real gap_margin = 2;
-/// Passes over all solids, each of which may put a ball out of what it was not in before: a corner takes three.
-inline constexpr int max_passes = 4;
 
 // Conservative advancement
 

@@ -117,7 +117,10 @@ void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, 
         now_.cloths.push_back({cloth.model, now.divided ? cloth.before : cloth.previous.x, cloth.state});
     }
     now_.bodies.clear();
-    for (const Ball& ball : bodies.balls) now_.bodies.push_back(body_of(ball, settings.contact));
+    for (std::size_t b = 0; b < bodies.balls.size(); ++b) {
+        now_.bodies.push_back(body_of(bodies.balls[b], settings.contact));
+        now_.bodies.back().is_motor = settings.balls[b].motion == BallMotion::Keys;
+    }
     for (const Solid& solid : bodies.solids) now_.bodies.push_back(body_of(solid, settings.contact));
     if (settings.ground.solid) now_.bodies.push_back(body_of(settings.ground));
     warm_start_.take(now_.response, now.h, gravity_of(settings).norm(), now_.cloths, now_.bodies, rows_);
@@ -203,7 +206,7 @@ void ContactStage::narrow(StepReport& report) {
     report.times.narrow += watch.lap();
     self_.find_contacts(now_.response, now_.cloths, rows_);
     report.times.pairs += watch.lap();
-    find_body_contacts(now_.bodies, rows_);
+    find_body_contacts(now_.bodies, thickness, rows_);
     warm_start_.carry_over(now_.cloths, now_.bodies, rows_);
     near_ = !self_.pairs().empty();
     for (const ContactRow& row : rows_) {

@@ -54,7 +54,6 @@ bool Simulation::input(const Substep& now) {
     for (std::size_t s = 0; s < solids_.size(); ++s) {
         move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);
     }
-    stop_balls();
     pins_have_moved_ = pins_.lead(cloths_, static_cast<Real>(now.time), now.h) || pins_have_moved_;
     if (kinematic_body_has_moved()) wake();
     return !report_.asleep;

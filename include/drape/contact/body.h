@@ -58,6 +58,10 @@ private:
 struct Body : Ball {
     const Solid* solid = nullptr;  ///< whose shape it has; null: it is a ball, or the ground
     Surface surface;
+    bool is_motor = false;  ///< nothing pushes it, but it gives way to what cannot give way itself
+
+    /// Whether a contact can move it.
+    [[nodiscard]] bool gives_way() const { return inverse_mass > 0 || is_motor; }
 
     [[nodiscard]] bool is_ball() const { return radius > 0; }
     [[nodiscard]] bool is_ground() const { return solid == nullptr && radius == 0; }

@@ -97,24 +97,12 @@ private:
 };
 
 /// The contacts of balls with each other and with all other bodies, appended, at most one for each two of
-/// which one is free: in the plane where the ball is deepest, or, if it has passed the other within the substep or come
-/// to another side, where they have met.
+/// which one gives way: in the plane where the ball is deepest, or, if it has passed the other within the substep or
+/// come to another side, where they have met.
 /// @param bodies the balls first
+/// @param thickness of the cloth: a motor leaves room for two [m]
 /// @par Cost O(balls bodies) distances
-void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows);
-
-/// Stops a ball that nothing pushes at the surfaces of bodies that it meets within the substep, and lets it slide along
-/// them; back at its start, without velocity, if they leave it no room.
-/// @param start of its path [m]
-/// @param gap to leave [m]
-/// @return whether it had to
-bool stay_outside(std::span<const Body> bodies, const Vec3& start, Real gap, Ball& ball);
-
-/// Whether a ball's path through the substep takes it into no body deeper than it was at the start, or would be if it
-/// stayed there, whichever is deeper.
-/// @pre it has moved
-/// @param gap as above [m]
-[[nodiscard]] bool penetrates_no_deeper(std::span<const Body> bodies, Real gap, const Ball& ball);
+void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vector<ContactRow>& rows);
 
 /// Measures what a limited search gets wrong, by testing every cell exactly: for charts, not for the clock.
 class SearchAudit {

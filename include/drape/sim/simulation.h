@@ -145,7 +145,6 @@ private:
     void configure_balls(const Settings& before);
     void use_pins();
     void put_ball(std::size_t number, const Vec3& centre);
-    void stop_balls();
     void choose_ball();
     void move_ball_by(BallMotion motion);
     void throw_ball(const command::Throw& command);
@@ -166,8 +165,7 @@ private:
     bool pins_have_moved_ = false;  ///< in this step
     SleepWatch sleep_;
     StepReport report_;
-    int planned_substeps_ = 1;                    ///< for the stability limit alone
-    ScratchOnCopy<std::vector<Body>> obstacles_;  ///< of balls that the keys lead
+    int planned_substeps_ = 1;  ///< for the stability limit alone
     ScratchOnCopy<std::vector<ClothView>> shown_;
     ScratchOnCopy<std::vector<std::vector<int>>> pair_cells_;  ///< of each cloth that is shown
     std::int64_t counted_from_step_ = 0;  ///< since then dt has been what it is: no error adds up in the time

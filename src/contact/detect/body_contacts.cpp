@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 #include "contact/advance.h"
@@ -9,9 +6,6 @@
 
 namespace drape {
 namespace {
-
-/// Of a height that was computed.
-constexpr Real height_rounding = 16 * std::numeric_limits<Real>::epsilon();
 
 /// The surface of a body next to a ball's centre.
 struct NextTo {
@@ -53,60 +47,23 @@ std::optional<NextTo> plane_for(const Body& body, const Vec3& from, const Vec3& 
 
 }  // namespace
 
-void find_body_contacts(std::span<const Body> bodies, std::vector<ContactRow>& rows) {
+void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vector<ContactRow>& rows) {
     for (std::size_t first = 0; first < bodies.size() && bodies[first].is_ball(); ++first) {
         for (std::size_t second = first + 1; second < bodies.size(); ++second) {
             const Body &ball = bodies[first], &body = bodies[second];
-            if (ball.inverse_mass == 0 && body.inverse_mass == 0) continue;
-            const auto plane = plane_for(body, ball.centre - ball.moved + body.moved, ball.centre, ball.radius);
+            if (!ball.gives_way() && !body.gives_way()) continue;
+            const Real radius = ball.radius + (ball.is_motor ? 2 * thickness : Real(0));
+            const auto plane = plane_for(body, ball.centre - ball.moved + body.moved, ball.centre, radius);
             if (!plane) continue;
             ContactRow& row = rows.emplace_back();
             row.kind = RowKind::Bodies;
             row.first_body = static_cast<int>(first);
             row.body = static_cast<int>(second);
             row.normal = plane->normal;
-            row.depth = plane->height + ball.radius - plane->normal.dot(ball.centre);
+            row.depth = plane->height + radius - plane->normal.dot(ball.centre);
             row.distance = row.depth + row.normal.dot(ball.centre - body.centre);
         }
     }
-}
-
-bool stay_outside(std::span<const Body> bodies, const Vec3& start, Real gap, Ball& ball) {
-    if (bodies.empty()) return false;
-    const Real radius = ball.radius + gap;
-    bool is_out = false, was_out = true;
-    for (int k = 0; k < max_passes && !is_out; ++k) {
-        is_out = true;
-        for (const Body& body : bodies) {
-            const auto plane = plane_for(body, start + body.moved, ball.centre, radius);
-            if (!plane) continue;
-            const Real depth = plane->height + radius - plane->normal.dot(ball.centre);
-            if (depth <= height_rounding * (std::abs(plane->height) + radius)) continue;  // as near as numbers come
-            is_out = was_out = false;
-            ball.centre += depth * plane->normal;
-            const Real towards = plane->normal.dot(ball.velocity - body.velocity);
-            ball.velocity -= std::min(towards, Real(0)) * plane->normal;
-            ball.moved = ball.centre - start;
-        }
-    }
-    if (is_out) return !was_out;
-    ball.centre = start;  // wedged
-    ball.velocity.setZero();
-    ball.moved.setZero();
-    return true;
-}
-
-bool penetrates_no_deeper(std::span<const Body> bodies, Real gap, const Ball& ball) {
-    const Vec3 start = ball.centre - ball.moved;
-    const Real radius = ball.radius + gap;
-    return std::ranges::all_of(bodies, [&](const Body& body) {
-        const Real size = ball.centre.cwiseAbs().sum() + body.centre.cwiseAbs().sum() + radius;
-        // Less than the path, or a slow ball would creep in
-        const Real rounding = std::min(height_rounding * size, ball.moved.norm() / 2);
-        const Vec3 from = start + body.moved;
-        const Real allowed = std::min({radius, body.measure(from).distance, body.measure(start).distance});
-        return !plane_for(body, from, ball.centre, allowed - rounding);
-    });
 }
 
 }  // namespace drape

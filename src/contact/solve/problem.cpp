@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drape/model/stencils.h"
 #include "mobility.h"
 
 namespace drape {
@@ -11,6 +12,23 @@ namespace {
 /// / m.
 constexpr Real sliding_share = Real(3.5);
 
+/// Whether a structural spring at the particles of a contact was taut at the start of the substep: contact comes after
+/// the limit, but leaves no more than it draws in cloth that can give way.
+/// @param drawn by the motor within the substep [m]
+bool is_taut_at(const ContactProblem& problem, const ContactRow& row, Real drawn) {
+    return std::ranges::any_of(row.moved(), [&](const RowParticle& p) {
+        const auto& [model, before, state] = problem.cloths[static_cast<std::size_t>(p.cloth)];
+        bool found = false;
+        if (model.stretch_limit == 0) return found;
+        for_each_spring_at(model, p.particle, [&](const SpringStencil& springs, int other) {
+            const Real longest = (1 + model.stretch_limit + taut_stretch) * springs.rest_length + drawn;
+            const Real square = (before.row(p.particle) - before.row(other)).squaredNorm();
+            found = found || (springs.structural() && square > longest * longest);
+        });
+        return found;
+    });
+}
+
 /// Where the particles of a contact were, and what an impulse meets.
 void set_particles(const ContactProblem& problem, const ContactRow& row, RowState& state) {
     state.start.setZero();
@@ -18,18 +36,25 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
         state.start += p.weight * position(problem.cloths[static_cast<std::size_t>(p.cloth)].before, p.particle);
     }
     const auto is_still = [](const Body& body) {
-        return body.inverse_mass == 0 && body.moved.isZero(0) && body.turned.isZero(0) && body.velocity.isZero(0) &&
+        return !body.gives_way() && body.moved.isZero(0) && body.turned.isZero(0) && body.velocity.isZero(0) &&
                body.spin.isZero(0);
     };
     state.stands = row.body == no_body || is_still(problem.body(row.body));
     state.mobilities = mobilities_of(problem.cloths, row);
     const Real of_particles = inverse_mass_of_particles(row, state.mobilities);
     Real of_bodies = 0;
-    for (const int body : {row.first_body, row.body}) {
-        if (body != no_body) of_bodies += problem.body(body).inverse_mass;
+    bool has_motor = false;
+    Real drawn = 0;
+    for (const int number : {row.first_body, row.body}) {
+        if (number == no_body) continue;
+        const Body& body = problem.body(number);
+        of_bodies += body.inverse_mass;
+        has_motor = has_motor || body.is_motor;
+        if (body.is_motor) drawn += body.moved.norm();
     }
     const Real sliding = of_particles + sliding_share * of_bodies;
     state.inverse_mass = of_particles + of_bodies;
+    state.stops = has_motor && (state.inverse_mass == 0 || (drawn > 0 && is_taut_at(problem, row, drawn)));
     state.mass = state.inverse_mass > 0 ? 1 / state.inverse_mass : Real(0);
     state.sliding_mass = sliding > 0 ? 1 / sliding : Real(0);
 }
@@ -137,7 +162,7 @@ void finish(ContactProblem& problem) {
     }
     for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
         Body& body = problem.bodies[b];
-        if (body.inverse_mass == 0) continue;
+        if (!body.gives_way()) continue;
         body.centre = centre_of(problem, static_cast<int>(b));
         body.moved = displacements.bodies[b].linear;
         body.turned = displacements.bodies[b].angular;

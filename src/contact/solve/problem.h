@@ -23,8 +23,11 @@ struct RowState {
     Real remaining = 0;             ///< of the substep, after the impact [s]
     std::array<Real, 2> targets{};  ///< least motion along the normal, of displacements and velocities [m, m/s]
     bool stands = false;            ///< its second side, or there is none: it has no motion, and takes none
+    bool stops = false;             ///< a motor, because its other side is taut, or nothing moves it
     bool included = true;           ///< in the response under way
     bool active = false;            ///< in the solve under way
+
+    [[nodiscard]] bool can_move() const { return inverse_mass > 0 || stops; }
 };
 
 /// What contacts change: displacements within the substep, or velocities.
@@ -151,7 +154,7 @@ struct Sweeps {
 template <class Chooses>
 void choose(ContactProblem& problem, Chooses chooses) {
     for_each_row(problem, [&](const ContactRow& row, RowState& state) {
-        state.active = state.inverse_mass > 0 && chooses(row, state);
+        state.active = state.can_move() && chooses(row, state);
     });
 }
 

@@ -27,7 +27,7 @@ Sweeps project_positions(ContactProblem& problem) {
                 target_of(state, Quantity::Displacement) =
                     relative(problem, motion, row, state).dot(row.normal) + correction_of(row, problem.bodies);
                 longest = std::max(longest, length_of_push(problem, row));
-                state.active = state.inverse_mass > 0;
+                state.active = state.can_move();
             });
         const Sweeps sweeps = solve(problem, motion);
         all = {all.count + sweeps.count, sweeps.residual};

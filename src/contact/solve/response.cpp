@@ -16,21 +16,27 @@ ResponseReport respond_in_kind(ContactProblem& problem) {
     return responses[static_cast<std::size_t>(problem.parameters.kind)](problem);
 }
 
-void include_pairs_alone(ContactProblem& problem, bool pairs) {
-    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
-        problem.state(r).included = (problem.rows[r].kind == RowKind::Pair) == pairs;
-    }
+/// Pairs are always answered by projection: penalties of many pairs at one particle would add up, and an impulse is for
+/// what meets, not for what is to keep apart. So is what stops a motor, which feels no force.
+bool is_always_projected(const ContactProblem& problem, std::size_t row) {
+    return problem.rows[row].kind == RowKind::Pair || problem.state(row).stops;
 }
 
-/// Pairs are always answered by projection: penalties of many pairs at one particle would add up, and an impulse is for
-/// what meets, not for what is to keep apart.
+/// @return whether there are any
+bool include(ContactProblem& problem, bool projected) {
+    bool any = false;
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        problem.state(r).included = is_always_projected(problem, r) == projected;
+        any = any || problem.state(r).included;
+    }
+    return any;
+}
+
 ResponseReport respond(ContactProblem& problem) {
-    const bool has_pairs =
-        std::ranges::any_of(problem.rows, [](const ContactRow& r) { return r.kind == RowKind::Pair; });
-    if (problem.parameters.kind == ResponseKind::Projection || !has_pairs) return respond_in_kind(problem);
-    include_pairs_alone(problem, false);
+    if (problem.parameters.kind == ResponseKind::Projection) return respond_in_kind(problem);
+    include(problem, false);
     ResponseReport report = respond_in_kind(problem);
-    include_pairs_alone(problem, true);
+    if (!include(problem, true)) return report;
     for_each_row(problem, [&](ContactRow& row, const RowState& state) { follow(problem, row, state); });
     const ResponseReport more = respond_by_projection(problem);
     report.sweeps += more.sweeps;

@@ -7,6 +7,28 @@
 namespace drape {
 namespace {
 
+/// Stops a motor at what is stronger; what nothing moves takes it along where it moves into it. It comes no deeper into
+/// what it is in already, and may leave.
+/// @return how far it is taken back [m]
+Real stop_motor(const ContactProblem& problem, const ContactRow& row, RowState& state) {
+    ContactMotion& motion = problem.scratch.displacements;
+    const Real along = relative(problem, motion, row, state).dot(row.normal);
+    const Real lacks = target_of(state, motion.quantity) - along;
+    Real taken = 0;
+    for (const int number : {row.first_body, row.body}) {
+        if (!(lacks > 0) || number == no_body || !problem.body(number).is_motor) continue;
+        const Vec3 towards = number == row.body ? row.normal : Vec3(-row.normal);
+        const auto body = static_cast<std::size_t>(number);
+        Vec3 &moved = motion.bodies[body].linear, &velocity = problem.scratch.velocities.bodies[body].linear;
+        const Real approach = state.inverse_mass == 0 ? -along : towards.dot(moved);
+        const Real back = std::min(lacks, std::max(approach, Real(0)));
+        moved -= back * towards;
+        velocity -= std::max(towards.dot(velocity), Real(0)) * towards;
+        taken = std::max(taken, back);
+    }
+    return taken;
+}
+
 /// Solves one contact for itself: its impulse along the normal grows by what its target lacks, n J >= 0, and friction
 /// stops what slides, as far as |F| <= mu J lets it. @cite catto2005
 /// @return the square of how much that changes its motion [m^2 or m^2/s^2]
@@ -49,11 +71,16 @@ Real tolerance_of(const ContactProblem& problem, const ContactMotion& motion) {
 /// Flat, because GCC would call a function for each sum of three numbers.
 __attribute__((flatten)) Sweeps solve(ContactProblem& problem, ContactMotion& motion, bool friction_alone) {
     const Real tolerance = tolerance_of(problem, motion);
+    const bool displaces = motion.quantity == Quantity::Displacement;
     Sweeps sweeps;
     Real square = 0;  // of the largest change
     do {
         square = 0;
         for_each_chosen(problem, [&](ContactRow& row, RowState& state) {
+            if (state.stops && displaces) {
+                const Real taken = stop_motor(problem, row, state);
+                square = std::max(square, taken * taken);
+            }
             square = std::max(square, solve_row(problem, motion, friction_alone, row, state));
         });
         ++sweeps.count;
