@@ -114,7 +114,7 @@ void ContactStage::begin(const Settings& settings, const ContactBodies& bodies, 
     now_.cloths.clear();
     for (Cloth& cloth : bodies.cloths) {
         if (now.divided) cloth.before = cloth.state.x;
-        now_.cloths.push_back({cloth.model, now.divided ? cloth.before : cloth.previous.x, cloth.state});
+        now_.cloths.push_back({cloth.model, now.divided ? cloth.before : cloth.previous.x, cloth.state, cloth.grabbed});
     }
     now_.bodies.clear();
     for (std::size_t b = 0; b < bodies.balls.size(); ++b) {

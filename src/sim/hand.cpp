@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "drape/base/input_error.h"
@@ -27,54 +26,6 @@ constexpr int hand_rounds = 12;
 void check_number(const std::string& what, int number, std::size_t count) {
     if (number >= 0 && static_cast<std::size_t>(number) < count) return;
     throw InputError(what + " " + std::to_string(number) + ": allowed 0 to " + std::to_string(count - 1));
-}
-
-/// How far above a ball and the cloth's thickness the hand stays, so that contacts with it are at other corners of the
-/// triangles around it: contacts cannot push what is held. A chord of the length d dips d^2/(8r) into a ball; twice
-/// that leaves the half of each triangle that is at the held corner outside.
-Real clearance(const ClothModel& model, const Ball& ball) {
-    const Real square = model.hx * model.hx + model.hy * model.hy;
-    return std::min(square / (4 * ball.radius), std::sqrt(square) / 4);
-}
-
-/// Out of one ball, the shortest way; where that leads into the ground, along the ground.
-/// @pre target at `lowest` or higher, all in [m]
-Vec3 out_of_ball(const Ball& ball, Real least, Real lowest, const Vec3& target) {
-    const Vec3 offset = target - ball.centre;
-    const Real distance = offset.norm();
-    if (distance >= least) return target;
-    const Vec3 nearest = ball.centre + (distance > 0 ? Vec3(offset / distance) : Vec3(0, 1, 0)) * least;
-    if (nearest.y() >= lowest) return nearest;
-    const Real below = lowest - ball.centre.y();
-    const Vec3 level(offset.x(), 0, offset.z());
-    const Vec3 along = level.isZero(0) ? Vec3(1, 0, 0) : Vec3(level.normalized());
-    return ball.centre + Vec3(0, below, 0) + std::sqrt(std::max(least * least - below * below, Real(0))) * along;
-}
-
-/// Out of one solid, the shortest way; where the surface curves, a few times.
-Vec3 out_of_solid(const Solid& solid, Real least, Vec3 target) {
-    constexpr int rounds = 4;
-    for (int round = 0; round < rounds; ++round) {
-        const SurfaceDistance surface = solid.measure(target);
-        if (surface.distance >= least) break;
-        target += (least - surface.distance) * surface.normal;
-    }
-    return target;
-}
-
-/// What the hand holds cannot be pushed: it stays outside balls, solids and ground.
-Vec3 outside(const ClothModel& model, Vec3 target, const Obstacles& obstacles) {
-    const Real lowest =
-        obstacles.ground.solid ? obstacles.ground.height + obstacles.thickness : -std::numeric_limits<Real>::infinity();
-    target.y() = std::max(target.y(), lowest);
-    for (std::size_t round = 0; round < obstacles.balls.size(); ++round) {
-        for (const Ball& ball : obstacles.balls) {
-            const Real least = ball.radius + obstacles.thickness + clearance(model, ball);
-            target = out_of_ball(ball, least, lowest, target);
-        }
-    }
-    for (const Solid& solid : obstacles.solids) target = out_of_solid(solid, obstacles.thickness, target);
-    return target;
 }
 
 /// A held particle and its neighbours at the end of a step, should these go on as they do and it have a velocity v.
@@ -170,16 +121,15 @@ void Hand::hold_in(std::size_t cloth, ClothModel& model) {
     model.hold(grab_->particle, true);
 }
 
-void Hand::lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h) {
+void Hand::lead(std::span<Cloth> cloths, Real h) {
     if (!grab_) return;
     Cloth& cloth = cloths[grab_->cloth];
     const Vec3 here = cloth.state.x.row(grab_->particle).transpose();
-    Vec3 velocity = (outside(cloth.model, grab_->target, obstacles) - here) / std::max(hand_lag, h);
+    Vec3 velocity = (grab_->target - here) / std::max(hand_lag, h);
     const Real speed = velocity.norm();
     if (speed > hand_speed) velocity *= hand_speed / speed;
     const Grip grip{cloth.model, cloth.state, grab_->particle, h};
     velocity = within_limit(grip, within_bound(grip, velocity));
-    velocity = (outside(cloth.model, here + h * velocity, obstacles) - here) / h;
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(grab_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);

@@ -45,7 +45,7 @@ void Simulation::begin_step() {
 /// What moves on its own: hand, balls, solids and pins. Commands were carried out between two steps.
 /// @return false while the scene is asleep
 bool Simulation::input(const Substep& now) {
-    hand_.lead(cloths_, {balls_, solids_, settings_.ground, settings_.contact.thickness}, now.h);
+    hand_.lead(cloths_, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && balls_[b].inverse_mass != 0) continue;
         move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_factor(settings_.solver.integrator),

@@ -40,6 +40,12 @@ struct ClothInContact {
     const ClothModel& model;
     const Points& before;  ///< positions at the start of the substep, n x 3 [m]
     ClothState& state;
+    int held = -1;  ///< particle in the hand, which contacts push as a free one; -1: none
+
+    /// That an impulse meets [1/kg].
+    [[nodiscard]] Real inverse_mass(int particle) const {
+        return particle == held ? 1 / model.particle_mass : model.inverse_mass[particle];
+    }
 };
 
 /// What solids, and the balls that nothing pushes, have given a cloth in the response, through these contacts [J].

@@ -4,20 +4,10 @@
 #include <span>
 #include <string>
 
-#include "drape/contact/body.h"
-#include "drape/model/ball.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 
 namespace drape {
-
-/// What the hand cannot lead its particle into.
-struct Obstacles {
-    std::span<const Ball> balls;
-    std::span<const Solid> solids;
-    const Ground& ground;
-    Real thickness;  ///< of the cloth: the hand stays as far outside [m]
-};
 
 /// @throws InputError that starts with the command's name, if there is no such cloth or particle
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
@@ -28,7 +18,8 @@ void check_particle(const std::string& command, int cloth, int particle, std::sp
 /// it. That velocity closes the gap to the target within a fixed time, and is at most that of a hand. Where the springs
 /// would then pull by more than the bound at the end of the step, with the neighbours moving on as they do, it is the
 /// velocity at which they pull by just the bound: the hand lags, or gives way. So cloth that is pinned elsewhere is
-/// drawn taut, and no farther. A particle that was pinned is led in the same way.
+/// drawn taut, and no farther. A particle that was pinned is led in the same way. Contacts are stronger than the hand:
+/// they push its particle as they push a free one.
 class Hand {
 public:
     /// @throws InputError if there is no such cloth or particle; the hand is as before then
@@ -52,7 +43,7 @@ public:
     void hold_in(std::size_t cloth, ClothModel& model);
 
     /// Gives the particle the velocity that takes it towards the target, and counts the work of that.
-    void lead(std::span<Cloth> cloths, const Obstacles& obstacles, Real h);
+    void lead(std::span<Cloth> cloths, Real h);
 
     /// Counts the work that the hand has done in the step since `lead`.
     void count_work(std::span<Cloth> cloths, Real h) const;

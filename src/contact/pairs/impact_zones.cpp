@@ -137,11 +137,11 @@ void ImpactZones::move_zones() const {
         if (zone.members.empty()) continue;
         const Vec3 displacement = mean(zone, displacement_of), velocity = mean(zone, velocity_of);
         for (const Member& member : zone.members) {
-            const auto& [model, before, state] = cloth_of(member.cloth);
+            const ClothInContact& cloth = cloth_of(member.cloth);
             const Vec3 own = displacement_of(member), own_velocity = velocity_of(member);
-            state.x.row(member.particle) =
-                before.row(member.particle) + (displacement + zone.part * (own - displacement)).transpose();
-            state.v.row(member.particle) = (velocity + zone.part * (own_velocity - velocity)).transpose();
+            cloth.state.x.row(member.particle) =
+                cloth.before.row(member.particle) + (displacement + zone.part * (own - displacement)).transpose();
+            cloth.state.v.row(member.particle) = (velocity + zone.part * (own_velocity - velocity)).transpose();
         }
     }
 }

@@ -27,7 +27,7 @@ inline std::array<Real, 4> mobilities_of(std::span<const ClothInContact> cloths,
     std::array<Real, 4> mobilities{};
     for (std::size_t k = 0; k < row.count; ++k) {
         const auto& [cloth, particle, weight] = row.particles[k];
-        mobilities[k] = weight * cloths[static_cast<std::size_t>(cloth)].model.inverse_mass[particle];
+        mobilities[k] = weight * cloths[static_cast<std::size_t>(cloth)].inverse_mass(particle);
     }
     return inverse_mass_of_particles(row, mobilities) > 0 ? mobilities : std::array<Real, 4>{};
 }

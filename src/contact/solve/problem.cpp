@@ -17,12 +17,13 @@ constexpr Real sliding_share = Real(3.5);
 /// @param drawn by the motor within the substep [m]
 bool is_taut_at(const ContactProblem& problem, const ContactRow& row, Real drawn) {
     return std::ranges::any_of(row.moved(), [&](const RowParticle& p) {
-        const auto& [model, before, state] = problem.cloths[static_cast<std::size_t>(p.cloth)];
+        const ClothInContact& cloth = problem.cloths[static_cast<std::size_t>(p.cloth)];
+        const Real limit = cloth.model.stretch_limit;
         bool found = false;
-        if (model.stretch_limit == 0) return found;
-        for_each_spring_at(model, p.particle, [&](const SpringStencil& springs, int other) {
-            const Real longest = (1 + model.stretch_limit + taut_stretch) * springs.rest_length + drawn;
-            const Real square = (before.row(p.particle) - before.row(other)).squaredNorm();
+        if (limit == 0) return found;
+        for_each_spring_at(cloth.model, p.particle, [&](const SpringStencil& springs, int other) {
+            const Real longest = (1 + limit + taut_stretch) * springs.rest_length + drawn;
+            const Real square = (cloth.before.row(p.particle) - cloth.before.row(other)).squaredNorm();
             found = found || (springs.structural() && square > longest * longest);
         });
         return found;

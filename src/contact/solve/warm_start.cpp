@@ -126,7 +126,7 @@ double WarmStart::work(std::span<const ClothInContact> cloths, int cloth) const 
         if (row.impulse.normal == 0) continue;
         const Vec3 force = row.impulse.about(row.normal) / h_;
         for (const RowParticle& p : row.moved()) {
-            if (p.cloth != cloth || of.model.inverse_mass[p.particle] == 0) continue;
+            if (p.cloth != cloth || of.inverse_mass(p.particle) == 0) continue;
             work += p.weight * force.dot(position(of.state.x, p.particle) - position(of.before, p.particle));
         }
     }
