@@ -239,7 +239,7 @@ void SelfSearch::find_contacts(const ResponseParameters& parameters, std::span<c
     if (!on_) return;
     find(cloths, parameters.pair_thickness);
     for (const NearPair& pair : near_) {
-        if (!pair.is_representative) continue;
+        if (!pair.is_representative || pair.distance == 0) continue;
         ContactRow row = row_of(pair, thickness_);
         update_depths(cloths, {}, {&row, 1});
         // A pair that stays well apart is left to the fail-safe

@@ -1,6 +1,8 @@
 #include "drape/contact/near_pairs.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "cell_pairs.h"
@@ -148,15 +150,31 @@ struct FeatureTest {
     }
 };
 
+/// No coordinate of a scene is larger [m].
+constexpr Real largest_coordinate = Real(1e4);
+
+/// Of what is computed from coordinates up to a size [m].
+Real rounding_of(Real size) { return 64 * std::numeric_limits<Real>::epsilon() * size; }
+
+/// Whether the distance of two features is no more than rounding, and the direction between them says nothing.
+bool is_rounding(const ClothAt& first, const ClothAt& second, const NearPair& pair) {
+    if (pair.distance > rounding_of(largest_coordinate)) return false;
+    Real size = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const ClothAt& cloth = pair.features.feature_of(k) == 0 ? first : second;
+        size = std::max(size, position(cloth.x, pair.features.particles[k]).cwiseAbs().maxCoeff());
+    }
+    return pair.distance <= rounding_of(size);
+}
+
 }  // namespace
 
-/// Where both points are one, but for rounding, they have the distance 0.
 void locate(const ClothAt& first, const ClothAt& second, NearPair& pair) {
     const Vec3 offset =
         pair.triangle < 0 ? locate_on_edges(first, second, pair) : locate_on_triangle(first, second, pair);
     pair.distance = offset.norm();
     if (is_rounding(first, second, pair)) pair.distance = 0;
-    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : separation_direction(first, second, pair);
+    pair.normal = pair.distance > 0 ? Vec3(offset / pair.distance) : Vec3::Zero();
 }
 
 ContactRow row_of(const NearPair& pair, Real thickness) {

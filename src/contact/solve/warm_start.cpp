@@ -66,7 +66,7 @@ void follow_from_before(std::span<const ClothInContact> cloths, std::span<const 
             return {number, cloth.model.grid, cloth.before};
         };
         locate(at(pair.features.cloths[0]), at(pair.features.cloths[1]), pair);
-        set_plane(pair, row);
+        if (pair.distance > 0) set_plane(pair, row);
     } else {
         row.separated = true;
     }
