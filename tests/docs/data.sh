@@ -35,18 +35,19 @@ page() {
 # The data
 
 Each table of the other pages, and each chart, is made from one of these files. This list says which command made it, of
-which commit, on what and when, and whether the code that it measures has changed since. Made by `tests/docs/data.sh`; a
-test holds it to the history.
+which commit, on what and when, and whether the code that it measures has changed since. "Same results": a test computes
+a part of the table again, and finds all as it was but times (`tests/docs/recompute.sh`). The list is made by
+`tests/docs/data.sh`; a test holds it to the history.
 
 | Data | Command | Commit | Date | Machine | Run | The code since |
 | --- | --- | --- | --- | --- | --- | --- |
 END
-    local data command paths commit since
-    while IFS='|' read -r first paths; do
+    local data command paths cases commit since
+    while IFS='|' read -r first paths cases; do
         read -r data command <<<"$first"
         value() { sed -n "s/^# $1: //p" "docs/$data" | head -n 1; }
         commit=$(value commit)
-        since=changed
+        since=changed${cases:+, same results}
         [[ $commit == *[!0-9a-f]* ]] || ! is_the_same "$commit" $paths || since="the same"
         [[ $paths == *[a-z]* ]] || since="a record of the past"
         echo "| [$data]($data) | ${command:+\`$command\`} | $commit | $(value date) | $(value machine) | $(value settings) | $since |" |
@@ -57,7 +58,7 @@ END
 for data in docs/*.csv; do
     grep -q "^$(basename "$data") " "$here/measured" || { echo "tests/docs/measured lacks $data"; status=1; }
 done
-for path in $(sed -n 's/^[a-z].*|//p' "$here/measured"); do
+for path in $(sed -n 's/^[a-z][^|]*|\([^|]*\).*/\1/p' "$here/measured"); do
     [ "$path" = - ] || [ -e "$path" ] || { echo "tests/docs/measured: there is no $path"; status=1; }
 done
 if [ "${1-}" != --check ]; then
@@ -65,8 +66,8 @@ if [ "${1-}" != --check ]; then
     echo "$made" >docs/data.md
 else
     # Data that is called changed may be so called
-    lenient() { sed 's/ | changed |$/ | the same |/'; }
-    page | grep ' | changed |$' | while IFS= read -r line; do
+    lenient() { sed 's/ | changed\(, same results\)\? |$/ | the same |/'; }
+    page | grep ' | changed[^|]* |$' | while IFS= read -r line; do
         grep -qxF "$line" docs/data.md || { echo "docs/data.md: not so: $line"; exit 1; }
     done || status=1
     diff <(page | lenient) <(lenient <docs/data.md) || status=1
