@@ -22,9 +22,6 @@ constexpr double max_for_motion = 32;
 /// And because balls are, or cloth near them. What is faster than that has planes of the start of the substep.
 constexpr double max_for_balls = 128;
 
-/// How long before a ball may land a sheet is to be as stiff as it is then [s].
-constexpr Real look_ahead = Real(0.5);
-
 /// From one plan to the next [s].
 constexpr double search_pause = 0.25;
 
@@ -65,16 +62,20 @@ Real min_restitution(const Settings& settings) {
     return least;
 }
 
-bool pushes_by_penalty(const Settings& settings) {
-    switch (settings.contact.response) {
+bool has_penalties(ResponseKind kind) {
+    switch (kind) {
         case ResponseKind::Penalty:
         case ResponseKind::Hybrid:
-            return has_bodies(settings) || settings.ground.solid;
+            return true;
         case ResponseKind::Projection:
         case ResponseKind::Impulse:
             break;
     }
     return false;
+}
+
+bool pushes_by_penalty(const Settings& settings) {
+    return has_penalties(settings.contact.response) && (has_bodies(settings) || settings.ground.solid);
 }
 
 /// Of a substep [s].
@@ -104,74 +105,14 @@ Real speed_of(const Settings& settings, std::span<const Ball> balls, std::size_t
     return std::max(balls[number].velocity.norm(), ball.motion == BallMotion::Keys ? ball.speed : Real(0));
 }
 
-/// What may touch the bodies of a scene, as a ball that moves.
-struct Mover {
-    Vec3 centre;
-    Real radius, speed;  ///< [m], [m/s]
-};
-
-/// @param speed of the body [m/s]
-bool may_reach(const Settings& settings, const Body& body, Real speed, const Mover& mover) {
-    const Real way = displacement_within_step(settings, mover.speed + speed);
-    return body.measure(mover.centre).distance - mover.radius <= settings.contact.thickness + way;
-}
-
-bool may_reach_ground(const Settings& settings, const Mover& mover) {
-    return settings.ground.solid && may_reach(settings, body_of(settings.ground), 0, mover);
-}
-
-/// Whether something may touch a ball or a solid.
-/// @param itself its number among the balls, or -1
-bool may_reach_body(const Settings& settings, std::span<const Ball> balls, std::span<const Solid> solids,
-                    const Mover& mover, int itself) {
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        const Body ball = body_of(balls[b], {});
-        if (static_cast<int>(b) != itself && may_reach(settings, ball, speed_of(settings, balls, b), mover))
-            return true;
-    }
-    return std::ranges::any_of(solids, [&](const Solid& solid) {
-        return may_reach(settings, body_of(solid, {}), solid.velocity.norm(), mover);
-    });
-}
-
-/// First all of it at once, in a sphere about its box; then each particle, with what of the cells beside it is nearest
-/// to it, though they may be drawn out to twice their size.
-bool may_reach(const Settings& settings, const Cloth& cloth, std::span<const Ball> balls,
-               std::span<const Solid> solids) {
-    const Aabb box = box_of(cloth);
-    const Real speed = greatest_speed(cloth), cell = cell_of(cloth);
-    const Mover all{(box.low + box.high) / 2, (box.high - box.low).norm() / 2 + cell, speed};
-    if (may_reach_ground(settings, {box.low, 0, speed})) return true;
-    if (!may_reach_body(settings, balls, solids, all, -1)) return false;
-    for (const auto& particle : cloth.state.x.rowwise()) {
-        if (may_reach_body(settings, balls, solids, {particle.transpose(), cell, speed}, -1)) return true;
-    }
-    return false;
-}
-
-/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch.
+/// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch. Where
+/// the response has penalties they always may: at the end of a long step one is pressed in so deep that it throws off
+/// what has just touched it.
 int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
     const SolverSettings& solver = settings.solver;
     if (!may_touch || has_step_limit(solver.integrator)) return planned;
     const double wanted = std::ceil(solver.dt / settings.contact.longest_step * (1 - 1e-12));
     return std::max(planned, static_cast<int>(std::min(wanted, Simulation::max_substeps)));
-}
-
-/// Whether steps are divided because a free ball may come to a cloth within half a second, under XPBD: its springs are
-/// softer in a long step than in a short one. A sheet whose steps were divided only once a ball touched it would sag
-/// until then, and throw the ball higher than it fell from. @cite macklin2019
-/// @par Cost O(particles)
-bool softens_before_ball(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
-    if (settings.solver.integrator != IntegratorKind::Xpbd) return false;
-    if (greatest_inverse_mass(settings) == 0) return false;
-    return std::ranges::any_of(cloths, [&](const Cloth& cloth) {
-        const Aabb box = box_of(cloth);
-        const Real speed = greatest_speed(cloth), fall = gravity_of(settings).norm() * look_ahead / 2;
-        return std::ranges::any_of(balls, [&](const Ball& ball) {
-            const Real approach = (speed + ball.velocity.norm() + fall) * look_ahead;
-            return ball.inverse_mass > 0 && Aabb{ball.centre, ball.centre}.comes_within(box, ball.radius + approach);
-        });
-    });
 }
 
 /// How many substeps a step needs for no ball and no particle near it to come nearer to each other within one than half
@@ -199,27 +140,6 @@ int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, s
         }
     }
     return static_cast<int>(std::ceil(std::min(halves, max_for_balls)));
-}
-
-/// Whether cloth or a free ball may touch anything within an undivided step whose substeps in contact would be shorter,
-/// where the response has penalties: at the end of a long step a penalty is pressed in so deep that it throws off what
-/// has just touched it.
-/// @par Cost O(particles x (balls + solids)); none for other methods and responses
-bool may_touch(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls,
-               std::span<const Solid> solids) {
-    const SolverSettings& solver = settings.solver;
-    const bool divides = !has_step_limit(solver.integrator) && solver.dt > settings.contact.longest_step;
-    if (!divides || !pushes_by_penalty(settings)) return false;
-    for (const Cloth& cloth : cloths) {
-        if (may_reach(settings, cloth, balls, solids)) return true;
-    }
-    for (std::size_t b = 0; b < balls.size(); ++b) {
-        if (balls[b].inverse_mass == 0) continue;
-        const Mover ball{balls[b].centre, balls[b].radius, speed_of(settings, balls, b)};
-        if (may_reach_ground(settings, ball)) return true;
-        if (may_reach_body(settings, balls, solids, ball, static_cast<int>(b))) return true;
-    }
-    return false;
 }
 
 /// In how many substeps a step is made where cloths meet themselves and each other: in none of them a particle goes
@@ -311,9 +231,8 @@ void Simulation::plan_step() {
     }
     const bool touches = report_.contacts > 0 || contact_.is_near();
     const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
-    const bool meets = of_balls > 1 || (!report_.asleep && (may_touch(settings_, cloths_, balls_, solids_) ||
-                                                            softens_before_ball(settings_, cloths_, balls_)));
-    report_.substeps = std::max(of_balls, substeps_in_contact(settings_, touches || meets, planned_substeps_));
+    const bool may_touch = of_balls > 1 || touches || has_penalties(settings_.contact.response);
+    report_.substeps = std::max(of_balls, substeps_in_contact(settings_, may_touch, planned_substeps_));
     if (contact_.self().on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, solver));
 }
 
