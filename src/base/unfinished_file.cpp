@@ -16,35 +16,23 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr std::string_view mark = ".drape-";
+constexpr std::string_view mark = ".drape";
 
 // A name of more than 255 bytes is none.
 constexpr std::size_t longest_stem = 160, longest_extension = 32;
-
-// Of runs that write the same file at the same time.
-constexpr int most_owners = 100;
 
 [[noreturn]] void fail(const files::path& file, const std::string& reason) {
     throw RunError(file.string() + ": cannot be written: " + reason);
 }
 
-/// ".state.drape-0.csv"
-files::path hidden_name(const files::path& file, int number) {
+/// ".state.drape.csv"
+files::path hidden_name(const files::path& file) {
     std::string stem = file.stem().string(), extension = file.extension().string();
     if (extension.size() > longest_extension) {
         stem += extension;
         extension.clear();
     }
-    return file.parent_path() /
-           ("." + stem.substr(0, longest_stem) + std::string(mark) + std::to_string(number) + extension);
-}
-
-bool is_hidden_name(const files::path& file) {
-    const std::string name = file.filename().string();
-    const std::size_t begin = name.rfind(mark);
-    if (begin == std::string::npos || !name.starts_with('.')) return false;
-    const std::size_t digits = begin + mark.size(), end = name.find_first_not_of("0123456789", digits);
-    return end != digits && digits < name.size() && (end == std::string::npos || name[end] == '.');
+    return file.parent_path() / ("." + stem.substr(0, longest_stem) + std::string(mark) + extension);
 }
 
 /// Whether a file that is open still has this name.
@@ -53,16 +41,6 @@ bool has_name(int descriptor, const files::path& name) {
     }, named{};
     return fstat(descriptor, &open_file) == 0 && lstat(name.c_str(), &named) == 0 && open_file.st_ino == named.st_ino &&
            open_file.st_dev == named.st_dev;
-}
-
-/// Removes the file unless somebody holds its lock. @return whether the name is free now
-bool removed_if_dead(const files::path& name) {
-    const int found = open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    if (found < 0) return errno == ENOENT;
-    const bool dead = flock(found, LOCK_EX | LOCK_NB) == 0 && has_name(found, name);
-    const bool removed = dead && unlink(name.c_str()) == 0;
-    close(found);
-    return removed;
 }
 
 /// @return 0, or what stands in the way: EEXIST if a file has that name
@@ -105,8 +83,9 @@ files::path link_target(const files::path& name) {
 }
 
 void remove_left_over(const files::path& file) {
+    const std::string name = file.filename().string();
     std::error_code ignored;
-    if (is_hidden_name(file) && files::is_regular_file(files::symlink_status(file, ignored))) removed_if_dead(file);
+    if (name.starts_with('.') && name.find(mark) != std::string::npos) files::remove(file, ignored);
 }
 
 files::path set_file_aside(const files::path& file) { return rename_beside(file, file); }
@@ -118,7 +97,8 @@ UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
         if (!S_ISREG(there.st_mode)) fail(file_, S_ISDIR(there.st_mode) ? "it is a folder" : "it is no regular file");
         if (faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) fail(file_, std::strerror(errno));
     }
-    left_over == LeftOver::Remove ? open_hidden() : open_kept();
+    name_ = left_over == LeftOver::Remove ? hidden_name(target_) : files::path(target_.string() + ".unfinished");
+    open_locked();
     if (there.st_nlink == 0) return;
     // Nobody may read meanwhile who may not read it in the end. Not everybody may give it another owner, and not every
     // file system has modes
@@ -127,34 +107,8 @@ UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
     static_cast<void>(same_mode);
 }
 
-/// Another run may take a file that is not locked yet for a dead one, and remove it.
-bool UnfinishedFile::lock_new() const {
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
-    return has_name(descriptor_, name_);
-}
-
-void UnfinishedFile::open_hidden() {
-    for (int number = 0; number < most_owners && descriptor_ < 0;) {
-        name_ = hidden_name(target_, number);
-        descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor_ < 0 && errno != EEXIST) fail(file_, std::strerror(errno));
-        if (descriptor_ < 0) {
-            if (!removed_if_dead(name_)) ++number;
-        } else if (!lock_new()) {
-            close(descriptor_);
-            descriptor_ = -1;
-        } else {
-            // Of runs that were killed while they wrote this file beside one another
-            for (int other = number + 1; other < most_owners && files::exists(hidden_name(target_, other)); ++other) {
-                removed_if_dead(hidden_name(target_, other));
-            }
-        }
-    }
-    if (descriptor_ < 0) fail(file_, "too many others are writing it");
-}
-
-void UnfinishedFile::open_kept() {
-    name_ = target_.string() + ".unfinished";
+/// What a killed run has left goes, for something that it started may be writing it yet.
+void UnfinishedFile::open_locked() {
     while (descriptor_ < 0) {
         descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
         if (descriptor_ < 0) fail(file_, std::strerror(errno));
@@ -162,10 +116,12 @@ void UnfinishedFile::open_kept() {
             close(descriptor_);
             fail(file_, "another run is writing " + name_.string());
         }
+        // Without its name it is that of a run that has just ended
         struct stat found {};
         const bool usable = has_name(descriptor_, name_) && fstat(descriptor_, &found) == 0;
         if (usable && found.st_size == 0) return;
-        if (usable) set_aside_ = set_file_aside(name_);
+        if (usable && left_over_ == LeftOver::Keep) set_aside_ = set_file_aside(name_);
+        if (usable && left_over_ == LeftOver::Remove && unlink(name_.c_str()) != 0) fail(name_, std::strerror(errno));
         close(descriptor_);
         descriptor_ = -1;
     }

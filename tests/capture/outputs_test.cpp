@@ -191,7 +191,7 @@ TEST(CaptureSignals, AreSeenBetweenTwoStepsOfALongFrame) {
         const TestFolder folder;
         Running run(folder, {"hang", "--frames", "1", "--fps", "0.001", "--set", "solver.sleep_speed=0", "--state",
                              folder / "state"});
-        ASSERT_TRUE(eventually([&] { return fs::exists(folder / ".state.drape-0"); }));
+        ASSERT_TRUE(eventually([&] { return fs::exists(folder / ".state.drape"); }));
         run.send(signal);
         EXPECT_EQ(run.wait(20), 128 + signal);
         EXPECT_THAT(read_file(folder / "state"), HasSubstr("particle")) << "the state that it has come to";
@@ -232,7 +232,7 @@ TEST(CaptureSignals, EndARunWhoseFfmpegStandsStill) {
     EXPECT_THAT(run.standard_error(), HasSubstr("no video, ffmpeg stood still"));
     EXPECT_EQ(read_file(folder / "v.mp4"), "before");
     EXPECT_EQ(kill(*ffmpeg.number(), 0), -1) << "it is left behind";
-    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-"))));
+    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape"))));
 }
 
 TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
@@ -246,10 +246,10 @@ TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
         run.send(SIGTERM);
         EXPECT_THAT(run.wait(60), ::testing::AnyOf(256 + SIGTERM, 256 + SIGINT));
     }
-    EXPECT_THAT(folder.names(""), Contains(HasSubstr(".drape-")));
+    EXPECT_THAT(folder.names(""), Contains(HasSubstr(".drape")));
     put_ffmpeg(folder / "ffmpeg", "for last; do :; done; cat > \"$last\"\n");
     EXPECT_EQ(run_program("drape-capture", words, {{"PATH", folder / "" + ":/bin:/usr/bin"}}).exit_code, 0);
-    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape-")))) << "what it has left is still there";
+    EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape")))) << "what it has left is still there";
 }
 
 }  // namespace

@@ -182,10 +182,10 @@ TEST(LabSimulate, IsEndedByASignalWithTheTimesThatItHasPassed) {
     folder.write("state.csv", "before");
     const auto signalled = [&](const std::string& times, int signal) {
         test::Process run({DRAPE_LAB, "simulate", "hang", "--time", times, "--state", "state.csv"}, {}, folder.path());
-        EXPECT_TRUE(test::eventually([&] { return folder.has(".state.drape-0.csv"); }));
+        EXPECT_TRUE(test::eventually([&] { return folder.has(".state.drape.csv"); }));
         run.send(signal);
         EXPECT_EQ(run.wait(60), 128 + signal);
-        EXPECT_FALSE(folder.has(".state.drape-0.csv"));
+        EXPECT_FALSE(folder.has(".state.drape.csv"));
         return folder.read("state.csv");
     };
     EXPECT_EQ(signalled("1e5", SIGTERM), "before") << "it has reached no time";

@@ -10,13 +10,12 @@ class UnfinishedFile {
 public:
     /// What the temporary name is, and what becomes of a file under it that a killed run has left.
     enum class LeftOver {
-        Remove,  ///< a hidden name, ".state.drape-0.csv"; what is left of killed runs goes, at the next run of this
-                 ///< file
-        Keep,    ///< a name for people, "session.txt.unfinished"; what is left of a killed run is set aside
+        Remove,  ///< a hidden name, ".state.drape.csv"; what is left is removed
+        Keep,    ///< a name for people, "session.txt.unfinished"; what is left is set aside
     };
 
     /// Makes the temporary file. A link is followed: what it leads to is written.
-    /// @throws RunError if it cannot be made, or the file may not be written, or (`Keep`) another run is writing it
+    /// @throws RunError if it cannot be made, or the file may not be written, or another run is writing it
     explicit UnfinishedFile(const std::filesystem::path& file, LeftOver left_over = LeftOver::Remove);
 
     /// Removes what was not finished, unless it is to be kept.
@@ -50,9 +49,7 @@ public:
     std::filesystem::path finish_beside();
 
 private:
-    void open_hidden();
-    void open_kept();
-    [[nodiscard]] bool lock_new() const;
+    void open_locked();
 
     std::filesystem::path file_;    ///< as it was named, for messages
     std::filesystem::path target_;  ///< what is written in the end
@@ -66,7 +63,7 @@ private:
 /// named in one way.
 std::filesystem::path link_target(const std::filesystem::path& name);
 
-/// Removes a file with a hidden temporary name whose owner is dead; leaves any other alone.
+/// Removes a file with a hidden temporary name; leaves any other alone. @pre its owner is dead
 void remove_left_over(const std::filesystem::path& file);
 
 /// Gives a file the first free of the names "NAME-1.csv", "NAME-2.csv" ...
