@@ -44,7 +44,7 @@ FrameWriter::FrameWriter(files::path folder, int frames, bool again)
     if (!files::is_directory(folder_)) {
         throw RunError("--out " + folder_.string() + ": " + (error ? error.message() : "is no folder"));
     }
-    lock_.emplace(folder_ / "frames");
+    lock_.emplace(folder_ / "frames.lock");
     for (const auto& entry : files::directory_iterator(folder_)) {
         const std::string name = entry.path().filename().string();
         if (is_frame_name(name)) older_.insert(name);

@@ -48,7 +48,7 @@ private:
     std::filesystem::path folder_;
     std::size_t digits_;
     std::filesystem::path last_;
-    std::optional<FolderLock> lock_;
+    std::optional<UnfinishedFile> lock_;
     std::set<std::string> older_;  ///< names of frames that this run has not written
     std::string name_;             ///< of the picture that is being written
     std::future<void> written_;    ///< of that; its end is waited for before the folder is let go

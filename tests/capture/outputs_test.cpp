@@ -141,11 +141,11 @@ TEST(CaptureFrames, AreWrittenByOneRunAtATime) {
     fs::create_directory(folder / "a");
     const Words words = small({"--frames", "1", "--again", "--out", folder / "a"});
     {
-        const FolderLock other(folder / "a/frames");
+        const UnfinishedFile other(folder / "a/frames.lock");
         const Outcome outcome = run_program("drape-capture", words);
         EXPECT_EQ(outcome.exit_code, 1);
-        EXPECT_THAT(outcome.err, HasSubstr("another run is writing it"));
-        EXPECT_THAT(folder.names("a"), ElementsAre("frames.lock"));
+        EXPECT_THAT(outcome.err, HasSubstr("another run is writing "));
+        EXPECT_THAT(folder.names("a"), ElementsAre(".frames.drape.lock"));
     }
     EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
     EXPECT_THAT(folder.names("a"), ElementsAre("frame_0001.png"));

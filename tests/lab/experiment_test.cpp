@@ -75,14 +75,14 @@ TEST(LabExperiment, LeavesAFolderToTheRunThatIsWritingThereAndToOtherExperiments
     const LabFolder folder;
     std::filesystem::create_directories(folder.path() / "out");
     {
-        const FolderLock other(folder.path() / "out/stability.csv");
+        const UnfinishedFile other(folder.path() / "out/stability.csv.lock");
         const LabRun run = run_some(folder, {"--out", "out"});
         EXPECT_EQ(run.code, 1);
-        EXPECT_THAT(run.err, HasSubstr("another run is writing it"));
+        EXPECT_THAT(run.err, HasSubstr("another run is writing "));
         EXPECT_FALSE(folder.has("out/stability.csv.part"));
     }
     EXPECT_EQ(run_some(folder, {"--out", "out"}).code, 0);
-    EXPECT_FALSE(folder.has("out/stability.csv.lock"));
+    EXPECT_FALSE(folder.has("out/.stability.csv.drape.lock"));
 
     std::filesystem::create_directories(folder.path("other"));
     folder.write("other/contact.csv", "");

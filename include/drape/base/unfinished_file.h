@@ -5,7 +5,7 @@
 namespace drape {
 
 /// A file under a temporary name beside the one that it is to have, and locked while its owner lives. No file is
-/// touched that was there before, until `finish`.
+/// touched that was there before, until `finish`. One that is never finished keeps other runs out of a folder.
 class UnfinishedFile {
 public:
     /// What the temporary name is, and what becomes of a file under it that a killed run has left.
@@ -70,20 +70,5 @@ void remove_left_over(const std::filesystem::path& file);
 /// @return that name
 /// @throws RunError
 std::filesystem::path set_file_aside(const std::filesystem::path& file);
-
-/// Keeps other runs from writing the same files while it lives, and while its process does.
-class FolderLock {
-public:
-    /// @param file the table, or what stands for all files that are written beside one another
-    /// @throws RunError if another run holds it, or the folder cannot be written
-    explicit FolderLock(const std::filesystem::path& file);
-    ~FolderLock();
-    FolderLock(const FolderLock&) = delete;
-    FolderLock& operator=(const FolderLock&) = delete;
-
-private:
-    std::filesystem::path name_;
-    int descriptor_;
-};
 
 }  // namespace drape

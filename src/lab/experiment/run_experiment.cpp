@@ -89,7 +89,7 @@ void run(const Experiment& experiment, std::span<const Experiment> all, const Ru
     std::filesystem::create_directories(folder, error);
     check_alone(experiment, all, folder);
     const auto file = folder / (experiment.name + ".csv");
-    const FolderLock lock(file);
+    const UnfinishedFile lock(file.string() + ".lock");
     const TableHead head = head_of(experiment, options.selection, cases.size());
     // The finished table of the same program, machine and settings is used; anything else is none of ours
     const auto there = read_head(experiment, file);
@@ -163,7 +163,7 @@ void merge(std::span<const Experiment> experiments, const MergeOptions& options)
         std::error_code error;
         std::filesystem::create_directories(folder, error);
         const auto file = folder / (experiment.name + ".csv");
-        const FolderLock lock(file);
+        const UnfinishedFile lock(file.string() + ".lock");
         if (exists(unfinished_name(file))) {
             throw InputError(unfinished_name(file).string() +
                              ": an unfinished run is there; name another folder by --out");
