@@ -3,10 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
-#include <random>
 
 namespace drape {
 namespace {
@@ -36,18 +33,6 @@ TEST(Numbers, WriteTheShortestTextThatReadsBack) {
     EXPECT_EQ(real_text(0.1), "0.1");
     EXPECT_EQ(real_text(0.1, 17), "0.10000000000000001");
     EXPECT_EQ(real_text(2.0), "2");
-}
-
-TEST(Numbers, ReadBackEveryFiniteDoubleTheyWrite) {
-    std::mt19937_64 random(1);
-    for (int i = 0; i < 100000; ++i) {
-        double value = 0;
-        const std::uint64_t bits = random();
-        std::memcpy(&value, &bits, sizeof value);
-        if (!std::isfinite(value)) continue;
-        ASSERT_EQ(parse_real(real_text(value)), value);
-        ASSERT_EQ(parse_real(real_text(value, 17)), value);
-    }
 }
 
 TEST(Numbers, WriteHashesWithSixteenDigits) {
