@@ -226,9 +226,8 @@ std::string Simulation::step_warning() const {
     const auto [of_method, of_penalty] = limit_warnings();
     return joined(
         {of_method, of_penalty, crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
-         coincident > 0
-             ? "cloth touches cloth at distance 0 in " + places(coincident) + "may cross it; place it apart"
-             : "",
+         coincident > 0 ? "cloth touches cloth at distance 0 in " + places(coincident) + "may cross it; place it apart"
+                        : "",
          depth_at_start_ > 0 ? "cloth starts " + real_text(static_cast<double>(depth_at_start_), 3) +
                                    " m deep inside a ball, a solid or the ground, and may be thrown off as it is "
                                    "pushed out"
