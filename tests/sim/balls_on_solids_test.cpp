@@ -207,6 +207,18 @@ TEST(BallsOnSolids, AWedgedBallLeavesAClosingPress) {
     EXPECT_GT(simulation.balls()[0].centre.x(), 1);
 }
 
+TEST(BallsOnSolids, TheKeysLeadABallIntoNoBallThatStandsStill) {
+    Settings settings = ball_alone(BallMotion::Keys, {0, 0, 0});
+    settings.balls.push_back(settings.balls[0]);
+    settings.balls[1].motion = BallMotion::Still;
+    settings.balls[1].position = {1, 0, 0};
+    Simulation simulation("ball", settings);
+    send(simulation, "steer 1 0 0");
+    run_until(simulation, 3);
+    EXPECT_NEAR(simulation.balls()[0].centre.x(), 1 - 2 * (size_of_ball + settings.contact.thickness), sag);
+    EXPECT_EQ(simulation.balls()[1].centre, settings.balls[1].position);
+}
+
 /// The step that would reach the ground passes the plate first.
 TEST(BallsOnSolids, TheKeysLeadABallThroughNoPlateAboveTheGround) {
     Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.15), 0}), Real(0.001));
