@@ -17,10 +17,9 @@ struct NodePick {
     Real gap = 0;  ///< from its volume to the nearest ball, thickness and slack counted; less than 0: they overlap [m]
 };
 
-/// Finds the node under the pointer: of the drawn one whose line is nearest to it, within a few pixels; else of the
-/// shown level, or of the leaves, the one that holds the cloth there.
+/// Finds the node of the cloth under the pointer: of the shown level, or of the leaves where all are shown.
 /// @param x, y of the pointer, from the upper left [pixel]
-/// @par Cost O(nodes shown), and O(triangles) where no line is near
+/// @par Cost O(nodes shown + triangles)
 std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, int x, int y, int width, int height);
 
 /// The gap between a volume and a ball, as the test of the query sees it: by how much the ball must grow to overlap,

@@ -78,29 +78,6 @@ TEST_F(BoxesUnderThePointer, AreFoundByTheClothInThem) {
     EXPECT_FALSE(pick_node(view_, Camera(settings_.view), -1, 5, width, height)) << "beside the picture";
 }
 
-TEST_F(BoxesUnderThePointer, AreFoundByTheNearestEdge) {
-    settings_.view.level = 30;  // all: lines alone tell them apart
-    const auto root = pick(Vec3(Real(1.003), 0, Real(0.53)));
-    ASSERT_TRUE(root);
-    EXPECT_EQ(root->node.cells.i1, 32) << "one that ends at the cloth's edge";
-    settings_.view.level = 0;
-    const auto only = pick(Vec3(Real(1.003), 0, Real(0.53)));
-    ASSERT_TRUE(only);
-    EXPECT_EQ(only->node.cells.cells(), 32 * 32);
-}
-
-TEST_F(NodesUnderThePointer, AreFoundByTheOutlineOfTheirSphere) {
-    settings_.view.level = 1;
-    std::vector<NodeView> nodes;
-    nodes_of_level(*tree_, 1, nodes);
-    const auto& sphere = std::get<BoundingSphere>(nodes[3].volume);
-    // Beside the cloth, where the spheres of the others do not come
-    const auto found = pick(sphere.centre + Vec3(sphere.radius, 0, 0));
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->number, 3);
-    EXPECT_EQ(found->cloth, 0u);
-}
-
 TEST_F(NodesUnderThePointer, SayWhoTheyAreAndWhy) {
     settings_.view.level = 2;
     std::vector<NodeView> nodes;

@@ -120,7 +120,7 @@ TEST_F(PanelBoxes, NameNoNodeWhileTheHandHoldsTheCloth) {
     std::size_t panels[2] = {0, 0};
     for (const bool held : {false, true}) {
         view.held = held;
-        panels_.hover_y = 240;
+        panels_.hover_y = 150;
         for (panels_.hover_x = 0; panels_.hover_x < 640; panels_.hover_x += 20) {
             panels_.build(view, Camera(settings_.view), {}, {}, 640, 480);
             panels[held] += panels_.boxes().size();
