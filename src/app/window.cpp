@@ -138,9 +138,8 @@ void Window::on_display() {
     FrameView view = session_.view();
     view.timeline = session_.timeline();
     view.prefer_speed = draws_fast();
-    const bool is_for_video = video_.due();
-    draw(view, is_for_video ? DrawnFor::Picture : DrawnFor::Window);
-    if (is_for_video) video_.take(renderer_->read_back());
+    draw(view);
+    if (video_.due()) video_.take(renderer_->read_back());
     renderer_->present();
     glFlush();
     since_drawn_ = 0;
@@ -166,13 +165,13 @@ void Window::show_drawn() {
     if (session_.simulation().settings().view.quality == PictureQuality::Auto) pace_.drew(prefer_speed, drawing_time_);
 }
 
-void Window::draw(FrameView view, DrawnFor use) {
+void Window::draw(FrameView view) {
     if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
     for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
     if (view.mode != nullptr) texts.push_back(text_of(*view.mode));
     if (!scene_error_.empty()) texts.push_back(scene_error_);
-    renderer_->draw(view, shown_, texts, use);
+    renderer_->draw(view, shown_, texts);
     drawn_step_ = view.report->step;
 }
 

@@ -107,7 +107,7 @@ private:
     void follow_scene_file(double elapsed);
     void repeat_shot();
     void start_scene();
-    void draw(FrameView view, DrawnFor use);
+    void draw(FrameView view);
     void show_drawn();
     void take_picture();
     void schedule();

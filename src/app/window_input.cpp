@@ -325,7 +325,7 @@ void Window::take_picture() {
         // The bar of time is no part of the picture, but a drag of it would end with a frame without it
         FrameView view = session_.view();
         if (panel_button_) view.timeline = session_.timeline();
-        draw(view, DrawnFor::Picture);
+        draw(view);
         Image picture = renderer_->read_back();
         picture.texts = picture_texts(session_.simulation());
         std::filesystem::path file = first_free_name(".png");

@@ -75,20 +75,14 @@ void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
     }
 }
 
-std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids, int step) {
+std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {
     std::vector<std::uint32_t> indices;
     int first = 0;
     for (const Grid& grid : grids) {
-        const auto kept = [step](int particles) { return (particles - 2 + step) / step + 1; };
-        const Grid coarse{kept(grid.nx), kept(grid.ny)};
-        for (int t = 0; t < coarse.triangles(); ++t) {
-            std::array<int, 3> corners = coarse.triangle_corners(t);
+        for (int t = 0; t < grid.triangles(); ++t) {
+            std::array<int, 3> corners = grid.triangle_corners(t);
             if (t % 2 == 1) std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-            for (const int corner : corners) {
-                const int column = std::min(step * (corner % coarse.nx), grid.nx - 1);
-                const int row = std::min(step * (corner / coarse.nx), grid.ny - 1);
-                indices.push_back(static_cast<std::uint32_t>(first + grid.particle(column, row)));
-            }
+            for (const int corner : corners) indices.push_back(static_cast<std::uint32_t>(first + corner));
         }
         first += grid.particles();
     }

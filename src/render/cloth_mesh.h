@@ -50,8 +50,7 @@ inline Grid grid_of(const ClothView& cloth) { return cloth.model.grid; }
 
 /// The triangles of grids whose particles follow one another, three indices each, counter-clockwise on the front. The
 /// last corner of both triangles of a cell is its corner b.
-/// @param step only each so many-th row and column of the particles has triangles, and the last ones
-std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids, int step = 1);
+std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids);
 
 /// The ends of all their springs, two indices each: the structural ones, those of shear, and those of bend.
 struct SpringIndices {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "drape/base/assert.h"
 #include "drape/base/input_error.h"
 #include "drape/render/image.h"
 #include "gl.h"
@@ -157,36 +156,30 @@ public:
 
     /// Puts the averages of the samples into the picture, magnified if the layer is smaller; what follows is drawn
     /// plainly, over the whole picture.
-    /// @param for_window whether what is magnified becomes a picture in framebuffer 0 at once, and has no other copy
-    void resolve(bool for_window) {
+    void resolve() {
         const int right = box_.left + box_.width, high = box_.low + box_.height;
         gl_(glDisable, GL_SCISSOR_TEST);
         gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, layer_->plain.name());
         gl_(glBlitFramebuffer, box_.left, box_.low, right, high, box_.left, box_.low, right, high, GL_COLOR_BUFFER_BIT,
             GL_NEAREST);
-        in_window_ = for_window && layer_ != &full_;
         if (layer_ == &full_) return;
         const auto [width, height] = full_.size;
         gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, layer_->plain.name());
-        gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, in_window_ ? 0u : full_.plain.name());
+        gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, full_.plain.name());
         gl_(glBlitFramebuffer, 0, 0, layer_->size.width, layer_->size.height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
             GL_LINEAR);
         gl_(glViewport, 0, 0, width, height);
-        if (in_window_) gl_(glDisable, GL_DEPTH_TEST);  // it may have depths of its own
     }
 
-    /// Copies the picture to framebuffer 0, unless it is there, and leaves that bound.
+    /// Copies the picture to framebuffer 0, and leaves that bound.
     void present() {
-        if (in_window_) return gl_(glEnable, GL_DEPTH_TEST);
         const auto [width, height] = full_.size;
         gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, full_.plain.name());
         gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, 0);
         gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     }
 
-    /// @pre the picture was not drawn for a window
     [[nodiscard]] Image read_back() {
-        DRAPE_ASSERT(!in_window_);
         // With four bytes a pixel, as it is stored, it is copied; with three it would be converted, at ten times the
         // cost
         const auto [width, height] = full_.size;
@@ -213,7 +206,6 @@ private:
     PictureLayer full_;
     std::optional<PictureLayer> half_;  ///< once a picture was drawn fast
     const PictureLayer* layer_;         ///< into which the scene is drawn
-    bool in_window_ = false;            ///< the picture is in framebuffer 0 and nowhere else
 };
 
 }  // namespace drape

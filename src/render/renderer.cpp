@@ -101,7 +101,7 @@ struct Renderer::Parts {
     FrameReport report;
 
     void prepare(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
-    void paint(const FrameView& view, DrawnFor use);
+    void paint(const FrameView& view);
     void note_cost() {
         report.gl_calls = static_cast<double>(gl.calls());
         report.vertices = static_cast<double>(gl.vertices());
@@ -122,13 +122,13 @@ void Renderer::resize(int width, int height) {
 
 Panels& Renderer::panels() { return parts_->panels; }
 
-void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices, DrawnFor use) {
+void Renderer::draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices) {
     Parts& parts = *parts_;
     if (!parts.target) return;
     const Stopwatch watch;
     parts.gl.restart_count();
     parts.prepare(view, camera, notices);
-    parts.paint(view, use);
+    parts.paint(view);
     // What is at rest is drawn now and then, which is no rate
     const bool wakes = std::exchange(parts.was_at_rest, is_at_rest(view)) && !is_at_rest(view);
     wakes ? parts.meter.begin_again() : parts.meter.count(parts.report);
@@ -158,7 +158,7 @@ void Renderer::Parts::prepare(const FrameView& view, const Camera& camera, std::
     stream.upload();
 }
 
-void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
+void Renderer::Parts::paint(const FrameView& view) {
     shadow.begin();
     solids.draw_shadow();
 
@@ -183,7 +183,7 @@ void Renderer::Parts::paint(const FrameView& view, DrawnFor use) {
     studio.draw_behind();
     gl(glEnable, GL_BLEND);
     marks.draw(failed);
-    target->resolve(use == DrawnFor::Window);
+    target->resolve();
     painter.draw(stream);
 }
 

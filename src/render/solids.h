@@ -70,7 +70,6 @@ public:
         const ViewSettings& shown = view.settings->view;
         smooth_ = shown.smooth && !shown.wireframe && shown.colour != ColourBy::Level &&
                   particle_count_ <= SmoothOutline::max_particles;
-        coarse_ = is_fast(view) && particle_count_ > most_drawn_fast;
         if (update_kept(view.cloths, grids_, grid_of) || has_other_bodies) index_triangles();
     }
 
@@ -179,9 +178,6 @@ private:
 
     static constexpr int holder_vertices = 2 * 7 * 12;  // as in the shader
 
-    // Of larger cloths, fast pictures leave out rows and columns
-    static constexpr std::size_t most_drawn_fast = 10'000;
-
     static std::vector<Eigen::Vector3f> unit_sphere() {
         std::vector<Eigen::Vector3f> points;
         for (int row = 0; row <= sphere_rows; ++row) {
@@ -206,11 +202,6 @@ private:
             first += static_cast<std::uint32_t>(mesh.points.size());
         }
         body_index_count_ = static_cast<int>(indices.size()) - cloth_index_count_;
-        int step = 1;
-        while (particle_count_ / static_cast<std::size_t>(step * step) > most_drawn_fast) ++step;
-        const std::vector<std::uint32_t> coarse = triangle_indices(grids_, step);
-        coarse_index_count_ = static_cast<int>(coarse.size());
-        indices.insert(indices.end(), coarse.begin(), coarse.end());
         cloths_.bind();
         fill_static(gl_, GL_ELEMENT_ARRAY_BUFFER, cloth_indices_, indices);
     }
@@ -234,16 +225,13 @@ private:
         outlined_index_count_ = static_cast<int>(end - indices);
     }
 
-    // Cloths, then solids, then cloths with fewer particles
+    // Cloths, then solids
     void draw_indices(int first, int count) {
         cloths_.bind();
         gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));
     }
 
-    void draw_cloths() {
-        if (coarse_) return draw_indices(cloth_index_count_ + body_index_count_, coarse_index_count_);
-        draw_indices(0, cloth_index_count_);
-    }
+    void draw_cloths() { draw_indices(0, cloth_index_count_); }
 
     void draw_balls() {
         balls_.bind();
@@ -276,12 +264,10 @@ private:
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     SmoothOutline outline_;
     bool smooth_ = false;
-    bool coarse_ = false;  ///< rows and columns of particles are left out
     int outlined_index_count_ = 0;
     float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
     std::size_t particle_count_ = 0, body_vertex_count_ = 0;
-    int cloth_index_count_ = 0, coarse_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0,
-        ball_count_ = 0;
+    int cloth_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
 };
 
 }  // namespace drape

@@ -62,10 +62,9 @@ private:
 class WindowPicture : public test::WindowTest {
 protected:
     // A recording that makes some steps of a scene and stays there; a window that is slow would say so in its picture
-    [[nodiscard]] std::string recording_of(const std::string& scene, int steps, const std::string& set = {},
-                                           const std::string& quality = "full") const {
+    [[nodiscard]] std::string recording_of(const std::string& scene, int steps, const std::string& set = {}) const {
         const std::string name = file(scene + "-" + std::to_string(steps) + ".txt");
-        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=" << quality << "\n"
+        std::ofstream(name) << "drape-recording 1\nscene " << scene << "\n0 set view.quality=full\n"
                             << (set.empty() ? "" : "0 set " + set + "\n") << "0 pause\n0 step " << steps << "\n"
                             << steps << " end\n";
         return name;
@@ -143,33 +142,6 @@ TEST_F(NightlyWindowPicture, IsThatOfDrapeCaptureInEveryScene) {
     for (const std::string& scene : scene_names()) {
         if (scene != "large") expect_that_of_drape_capture(scene);  // a minute for each of its pictures
     }
-}
-
-// A picture without the bar of time, which is no part of screenshots
-Image without_bar(Image image) {
-    constexpr int below = 6, height = 60;  // pixel
-    const auto row = static_cast<std::ptrdiff_t>(3 * image.width);
-    std::fill(image.rgb.end() - (below + height) * row, image.rgb.end() - below * row, std::uint8_t{0});
-    return image;
-}
-
-// In the window they are magnified into its own pixels, and the panels are drawn over them there
-TEST_F(WindowPicture, IsInItsPixelsAsInItsScreenshotWhereItIsDrawnFast) {
-    start({"--replay", recording_of("drop", 400, "view.particles=true", "fast")});
-    desktop_.act({"windowsize", "--sync", window_, "641", "361"});
-    wait_for_step(400);
-    const Image before = desktop_.picture_of(window_);
-    const Image picture = screenshot();
-    ASSERT_EQ(picture.width, 641);
-    std::string difference;
-    const auto is_same = [&](const Image& window) {
-        const PictureDifference found(without_bar(picture), without_bar(window));
-        difference = found.text();
-        return found.is_only_fps();
-    };
-    // Where the window was not yet drawn then: once the notice of the screenshot has gone, after some seconds
-    EXPECT_TRUE(is_same(before) || eventually([&] { return is_same(desktop_.picture_of(window_)); })) << difference;
-    quit();
 }
 
 }  // namespace

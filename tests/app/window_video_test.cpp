@@ -125,7 +125,7 @@ std::string contents(const std::string& video) {
     return text;
 }
 
-// Fast pictures are magnified in the window, but for those that a video takes.
+// Of fast pictures, too.
 TEST_F(WindowTest, ShiftF12StartsAVideoAndEndsItAndAnotherSizeDoes) {
     start({"drop", "--set", "view.quality=fast"});
     for (const std::string name : {"drape-0001.mp4", "drape-0002.mp4"}) {

@@ -134,21 +134,16 @@ double most_of(const std::string& file, const std::string& name) {
     return most;
 }
 
-TEST(Capture, DrawsFastWithFewerVerticesOfALargeCloth) {
+TEST(Capture, DrawsFastOnlyWhereItIsTold) {
     const TestFolder folder;
     const auto draw = [&](const std::string& quality) {
-        const std::string folder_of_it = folder / quality, file = folder / (quality + ".csv");
-        const Words run{"hang", "--size", "160x90", "--fps", "6000", "--frames", "2", "--out", folder_of_it};
-        const Words words =
-            joined(run, {"--stats", file, "--set", "cloth.particles=160,160", "dt=1e-5", "view.quality=" + quality});
-        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-        return std::pair{read_png(folder_of_it + "/frame_0002.png").rgb, most_of(file, "vertices")};
+        const Words words{"--frames", "1", "--out", folder / quality, "--set", "view.quality=" + quality};
+        EXPECT_EQ(run_program("drape-capture", small("hang", words)).exit_code, 0);
+        return read_png(folder / (quality + "/frame_0001.png")).rgb;
     };
-    const auto [full, full_vertices] = draw("full");
-    const auto [fast, fast_vertices] = draw("fast");
-    EXPECT_TRUE(full == draw("auto").first) << "a capture has time";
-    EXPECT_TRUE(full != fast);
-    EXPECT_LT(fast_vertices, 0.4 * full_vertices);
+    const std::vector<std::uint8_t> full = draw("full");
+    EXPECT_TRUE(full == draw("auto")) << "a capture has time";
+    EXPECT_TRUE(full != draw("fast"));
 }
 
 TEST(Capture, NeedsAtMostSixtyCallsForThePictureAndFewForPanels) {

@@ -50,7 +50,7 @@ TEST(FrameCost, IsOneUploadAndNothingThatIsNewOrWaits) {
         camera.apply(command::Orbit{0.01, 0}, view);
         if (frame == 30) uploads = stops = 0;  // until then plots fill, and what is seen grows
         const long long before = allocations();
-        renderer.draw(view, camera, {}, DrawnFor::Window);
+        renderer.draw(view, camera, {});
         renderer.present();
         EXPECT_LE(allocations() - before, frame < 30 ? 5000 : 600) << "texts of the open panels: about 400";
     }

@@ -103,10 +103,6 @@ protected:
     ~Panels() = default;
 };
 
-/// What may follow when a frame is drawn: `read_back` and `present`, or `present` only, at less cost if it is drawn
-/// fast.
-enum class DrawnFor { Picture, Window };
-
 /// Finds the functions of the OpenGL context that is current. GLX may be missing, as under Wayland or EGL.
 /// @throws RunError that says why they were not found
 void start_glew();
@@ -128,14 +124,12 @@ public:
 
     /// Draws one frame: shadow, sky, ground, balls, cloths, what `settings->view` asks for, overlay.
     /// @param notices texts for the user (an error, a replay that ended), shown with the overlay or without
-    void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices,
-              DrawnFor use = DrawnFor::Picture);
+    void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
 
     /// Has the drawn frame in framebuffer 0, for a window.
     void present();
 
     /// The drawn frame.
-    /// @pre it was drawn for a picture
     [[nodiscard]] Image read_back() const;
 
     [[nodiscard]] const FrameReport& report() const;

@@ -69,7 +69,7 @@ public:
         if (turns_) camera_.apply(command::Orbit{0.01, 0}, view);
         const double before = processor_time();
         if (settings_.view.panel == PanelSize::Full) view.search = search_timer_.look(view);
-        renderer_.draw(view, camera_, {}, DrawnFor::Window);
+        renderer_.draw(view, camera_, {});
         renderer_.present();
         finish();
         milliseconds_.push_back(1e3 * (processor_time() - before));
