@@ -6,6 +6,7 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "display.h"
 #include "drape/base/input_error.h"
@@ -97,7 +98,7 @@ void Window::on_tick(int) {
     dirty_ |= shown_.ease_towards(camera_, elapsed);
     follow_scene_file(elapsed);
     tell_of_drops();
-    tell_of_lost_ball(elapsed);
+    tell_of_lost_ball();
 
     const Simulation& simulation = session_.simulation();
     tell_of_failure();
@@ -220,13 +221,15 @@ void Window::tell_of_drops() {
                                 " s of simulation skipped");
 }
 
-void Window::tell_of_lost_ball(double elapsed) {
+// As it leaves the picture
+void Window::tell_of_lost_ball() {
     const Simulation& simulation = session_.simulation();
     const Timeline timeline = session_.timeline();
     if (!drawable() || timeline.replay || !timeline.is_live() || simulation.balls().empty()) return;
     const Ball& ball = simulation.balls()[simulation.users_ball()];
-    const bool is_seen = shown_.sees(ball, static_cast<float>(width_) / static_cast<float>(height_));
-    if (!ball_watch_.loses(simulation, is_seen, shown_.target().cast<Real>(), elapsed)) return;
+    const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
+    const bool saw_ball = std::exchange(sees_ball_, shown_.sees(ball, aspect));
+    if (!saw_ball || sees_ball_ || simulation.paused() || ball.velocity.isZero()) return;
     notices_.add("ball", "The ball has left the picture: X throws it again");
 }
 

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "ball_watch.h"
 #include "drape/base/stop_signals.h"
 #include "drape/base/stopwatch.h"
 #include "drape/render/camera.h"
@@ -101,7 +100,7 @@ private:
     void steer(double elapsed);
     void follow(const Command& command);
     void tell_of_drops();
-    void tell_of_lost_ball(double elapsed);
+    void tell_of_lost_ball();
     void tell_of_failure();
     void tell_whose_ball();
     void follow_scene_file(double elapsed);
@@ -127,7 +126,6 @@ private:
     SearchTimer search_timer_;
     PicturePace pace_;
     SceneClock scene_clock_;
-    BallWatch ball_watch_;
     WindowVideo video_;
     std::string gl_error_;  ///< the first, where `options_.check` asks for it
     std::unique_ptr<Renderer> renderer_;
@@ -151,6 +149,7 @@ private:
     int width_ = 0, height_ = 0;
     int signal_ = 0;
     bool visible_ = true;
+    bool sees_ball_ = false;       ///< the user's ball is in the picture
     bool dirty_ = true;            ///< the picture is not up to date
     std::optional<bool> unshown_;  ///< a picture is being drawn and has to be shown: whether it is a fast one
     bool closed_ = false;

@@ -313,6 +313,7 @@ void Window::follow(const Command& command) {
     pointer_.forget();
     steering_.forget_given();
     told_failure_.clear();
+    sees_ball_ = false;
     for (const char* topic : {"dropped", "crossing"}) notices_.remove(topic);
     scene_clock_ = {};
     unshown_.reset();  // a picture of what was before
