@@ -26,13 +26,6 @@ double number_in(const std::optional<SettingValue>& value) {
 // Numbers that a user reads, and a recording keeps
 double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
 
-// Twice as much, or half where there is no more
-double another_number(double number, double low, double high) {
-    if (number == 0) return high / 2;
-    const double twice = std::clamp(2 * number, low, high);
-    return twice == number ? number / 2 : twice;
-}
-
 // Where the grab is not
 void number_beside_grab(const SettingRow& row, double number) {
     const auto& word = row.setting->word;
@@ -85,25 +78,9 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
 
 SettingValue another_value(const SettingRow& row) {
     if (const bool* flag = std::get_if<bool>(&row.value)) return !*flag;
-    if (const double* number = std::get_if<double>(&row.value)) {
-        const Range& range = row.setting->range;
-        const double other = another_number(*number, row.scale.low, row.scale.high);
-        if (row.setting->kind != SettingKind::Integer) return other;
-        const double whole = std::max(std::max(1.0, range.low), std::round(other));
-        return whole != *number ? whole : *number > range.low ? *number - 1 : *number + 1;
-    }
-    const auto& choices = row.setting->choices;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&row.value)) {
-        if (row.setting->kind == SettingKind::Pins) return choices.front();
-        std::vector<double> others = *numbers;
-        for (double& one : others) {
-            if (one != 0) one = another_number(one, row.setting->range.low, row.setting->range.high);
-        }
-        if (others == *numbers) others.front() = std::min(1.0, row.setting->range.high);
-        return others;
-    }
     const auto* name = std::get_if<std::string>(&row.value);
     if (name == nullptr) return row.value;
+    const auto& choices = row.setting->choices;
     const auto found = std::ranges::find(choices, *name);
     return found == choices.end() || found + 1 == choices.end() ? choices.front() : *(found + 1);
 }

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "drape/base/numbers.h"
-#include "drape/session/comparison.h"
 
 namespace drape {
 
@@ -121,7 +120,10 @@ void SettingsPanel::draw_row(const SettingRow& row) {
 void SettingsPanel::compare_section(const FrameView& view) {
     const Settings& settings = *view.settings;
     if (!ImGui::CollapsingHeader("Compare")) return;
-    follow_comparison(view);
+    // At first, and where another scene has none of the one that was chosen
+    if (!other_ || section_count(settings, *other_->setting) == 0) {
+        choose_other(find_setting("solver.integrator"), settings);
+    }
     ImGui::PushID("compare");
     ImGui::SetNextItemWidth(widget_width());
     if (editor_.begin_list("##setting", other_->name.c_str())) {
@@ -151,34 +153,11 @@ void SettingsPanel::compare_section(const FrameView& view) {
     ImGui::PopID();
 }
 
-/// A comparison that has begun elsewhere is shown as it is; the run's own value is none to compare it with.
-void SettingsPanel::follow_comparison(const FrameView& view) {
-    const Settings& settings = *view.settings;
-    const std::string_view compared = view.comparison == nullptr ? "" : view.comparison->assignments;
-    if (compared != compared_) {
-        compared_ = compared;
-        const std::string first = compared_.empty() ? "" : split_assignments(compared_).front();
-        const std::size_t equals = first.find('=');
-        const Setting* setting = first.empty() ? nullptr : &setting_meant_by(first.substr(0, equals));
-        if (setting != nullptr && can_compare(*setting, settings)) {
-            choose_other(*setting, settings);
-            other_->value = parse_value(*setting, first.substr(equals + 1));
-        }
-    }
-    if (!other_ || section_count(settings, *other_->setting) == 0) {
-        return choose_other(find_setting("solver.integrator"), settings);
-    }
-    SettingValue of_the_run = other_->setting->read(settings, 0);
-    if (of_the_run == of_the_run_) return;
-    of_the_run_ = std::move(of_the_run);
-    if (of_the_run_ == other_->value && view.comparison == nullptr) choose_other(*other_->setting, settings);
-}
-
 void SettingsPanel::choose_other(const Setting& setting, const Settings& settings) {
     editor_.forget();
     other_ = make_setting_row(setting, 0, settings, scene_);
     other_->name = setting.full_name();  // of several, all
-    of_the_run_ = std::exchange(other_->value, another_value(*other_));
+    other_->value = another_value(*other_);
 }
 
 }  // namespace drape

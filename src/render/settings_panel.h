@@ -30,7 +30,6 @@ public:
         seeks_ = false, marked_ = nullptr;
         editor_.forget();
         other_.reset();
-        compared_.clear();
     }
 
     /// Makes a frame's panel.
@@ -63,7 +62,6 @@ private:
     void draw_row(const SettingRow& row);
     void offer_step(const FrameView& view);
     void compare_section(const FrameView& view);
-    void follow_comparison(const FrameView& view);
     void choose_other(const Setting& setting, const Settings& settings);
 
     Settings scene_;
@@ -72,8 +70,6 @@ private:
     const Setting* marked_ = nullptr;
     bool seeks_ = false;               ///< it was not drawn yet
     std::optional<SettingRow> other_;  ///< of the other simulation
-    SettingValue of_the_run_;          ///< that runs, of the same setting
-    std::string compared_;             ///< assignments of the comparison that was last seen
     SettingEditor editor_;
 };
 
