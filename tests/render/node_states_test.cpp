@@ -53,5 +53,28 @@ TEST(LevelCounts, SumUpToWhatTheQueryDid) {
     }
 }
 
+TEST(ShownNodes, AreThoseOfTheLevelOrPastTheFinestAll) {
+    ClothParameters parameters;
+    parameters.particles = {17, 17};
+    const ClothModel model = make_cloth_model(parameters);
+    const Points x = make_rest_state(parameters).x;
+    const auto tree = make_broad_phase({.volume = VolumeKind::Aabb, .leaf_cells = 4}, parameters.particles);
+    tree->build(x);
+    const ClothView cloth{model, x, x, {}, tree.get()};
+    Settings settings;
+    FrameView view;
+    view.cloths = {&cloth, 1};
+    view.settings = &settings;
+    std::size_t all = 0;
+    for (int level = 0; level < tree->levels(); ++level) {
+        settings.view.level = level;
+        const std::vector<NodeView> shown = shown_nodes(view, *tree);
+        for (const NodeView& node : shown) EXPECT_EQ(node.cells.level, level);
+        all += shown.size();
+    }
+    settings.view.level = tree->levels();
+    EXPECT_EQ(shown_nodes(view, *tree).size(), all);
+}
+
 }  // namespace
 }  // namespace drape

@@ -50,27 +50,34 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
 }
 
 /// Ends on the surface; every corner is in three edges or more, but for the rounding; Euler's count of faces.
-template <int K>
-void check_outline(const Points& x, const Grid& grid) {
-    const KDop<K> dop = KDop<K>::fit(whole(x, grid));
+/// @return the ends of all edges
+template <class Volume>
+std::vector<Vec3> check_outline(const Volume& volume, std::size_t faces) {
     Outlines outlines;
-    append_outline(dop, 0, NodeState::Visited, outlines);
-    const long double size = dop.sphere().radius;
+    append_outline(volume, 0, NodeState::Visited, outlines);
+    const long double size = volume.sphere().radius;
     EXPECT_GE(outlines.edges.size(), 6u);
-    EXPECT_LE(outlines.edges.size(), 3u * K - 6);
+    EXPECT_LE(outlines.edges.size(), 3 * faces - 6);
     std::vector<Vec3> ends;
     for (const Outlines::Edge& edge : outlines.edges) {
         for (const Vec3& end : {edge.from, edge.to}) {
-            EXPECT_NEAR(static_cast<double>(test::stands_out(dop, end) / size), 0, 1e-4);
+            EXPECT_NEAR(static_cast<double>(test::stands_out(volume, end) / size), 0, 1e-4);
             ends.push_back(end);
         }
-        EXPECT_NEAR(static_cast<double>(test::stands_out(dop, (edge.from + edge.to) / 2) / size), 0, 1e-4);
+        EXPECT_NEAR(static_cast<double>(test::stands_out(volume, (edge.from + edge.to) / 2) / size), 0, 1e-4);
     }
     for (const Vec3& end : ends) {
         const auto near = [&](const Vec3& other) { return (other - end).norm() < 1e-3 * static_cast<double>(size); };
-        EXPECT_GE(std::count_if(ends.begin(), ends.end(), near), 3) << K;
+        EXPECT_GE(std::count_if(ends.begin(), ends.end(), near), 3) << faces;
     }
-    // The edges reach as far as the faces of the box do
+    return ends;
+}
+
+/// The edges reach as far as the faces of the box do.
+template <int K>
+void check_dop(const Points& x, const Grid& grid) {
+    const KDop<K> dop = KDop<K>::fit(whole(x, grid));
+    const std::vector<Vec3> ends = check_outline(dop, K);
     for (int k = 0; k < 3; ++k) {
         Real most = -1e9;
         for (const Vec3& end : ends) most = std::max(most, end[k]);
@@ -78,15 +85,17 @@ void check_outline(const Points& x, const Grid& grid) {
     }
 }
 
-TEST(Outlines, OfAKDopAreTheEdgesOfItsSurface) {
+TEST(Outlines, OfAVolumeAreTheEdgesOfItsSurface) {
     std::mt19937 random(36);
     for (int round = 0; round < 20; ++round) {
         const Grid grid{4 + round % 20, 6};
         const Points x = test::random_cloth(grid, random);
-        check_outline<6>(x, grid);
-        check_outline<14>(x, grid);
-        check_outline<18>(x, grid);
-        check_outline<26>(x, grid);
+        check_outline(Aabb::fit(whole(x, grid)), 6);
+        check_outline(Obb::fit(whole(x, grid)), 6);
+        check_dop<6>(x, grid);
+        check_dop<14>(x, grid);
+        check_dop<18>(x, grid);
+        check_dop<26>(x, grid);
     }
 }
 
