@@ -56,7 +56,7 @@ void check_picture_memory(PictureSize size, double scene = 0) {
 Start checked_start(const CaptureOptions& options) {
     Start start = make_start(options.start);
     const double simulations = options.start.versus.empty() ? 1 : 2;
-    if (options.drawing()) check_picture_memory(options.size, simulations * memory_needed(start.settings).total());
+    if (options.drawing()) check_picture_memory(options.size, simulations * memory_needed(start.settings));
     const std::vector<NamedFile> written{{"--video", options.video},
                                          {"--stats", options.stats},
                                          {"--state", options.state},

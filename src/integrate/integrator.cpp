@@ -1,6 +1,7 @@
 #include "drape/integrate/integrator.h"
 
 #include <array>
+#include <bit>
 
 #include "bdf2.h"
 #include "dormand_prince.h"
@@ -48,6 +49,19 @@ const MethodRow& method_of(IntegratorKind kind) {
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
     return method_of(parameters.kind).make(parameters, grid);
+}
+
+double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
+    const MethodRow& method = method_of(parameters.kind);
+    // Factors of a square grid have O(n log n) entries
+    const double log_n = std::bit_width(static_cast<unsigned>(grid.particles()));
+    double of_particle = sizeof(Real) * method.numbers;
+    if (method.keeps == Keeps::ScalarFactors) of_particle += 150 * log_n;
+    if (method.keeps == Keeps::NewtonSystem) of_particle += 1200;
+    if (method.keeps == Keeps::NewtonSystem && NewtonSystem::keeps_factors(grid, parameters.hessian)) {
+        of_particle += 600 * log_n;
+    }
+    return of_particle * grid.particles();
 }
 
 Real tolerance_of(const IntegratorParameters& parameters) {

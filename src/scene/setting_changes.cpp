@@ -74,7 +74,7 @@ void check_cloth(const ClothParameters& cloth, std::size_t index) {
 
 void check_memory(const Settings& settings) {
     const MemoryLimit limit = memory_limit();
-    if (memory_needed(settings).total() <= limit.bytes) return;
+    if (memory_needed(settings) <= limit.bytes) return;
     throw InconsistentSettings(
         "cloth", 0, "particles",
         memory_text(settings) + ": allowed at most " + bytes_text(limit.bytes) + ", " + std::string(limit.whose));

@@ -22,11 +22,11 @@ double bytes_of(const Simulation& simulation, const std::optional<Comparison>& c
 }  // namespace
 
 double moment_bytes(const Simulation& simulation) {
-    // Mass, state, the one before, ledger, start and the step before
-    constexpr double numbers = 1 + 12 + 3 + 6 + 12;
+    constexpr double bytes_of_particle = 500;
     double bytes = sizeof(Simulation);
     for (const Cloth& cloth : simulation.cloths()) {
-        bytes += bytes_of_cloth(simulation.settings().contact, cloth.model.grid, numbers);
+        const Grid& grid = cloth.model.grid;
+        bytes += bytes_of_particle * grid.particles() + bytes_of_pairs(simulation.settings().contact, grid);
     }
     // Those of now, and those that a warm start goes on from
     return bytes + 2 * static_cast<double>(simulation.contacts().size() * sizeof(ContactRow));

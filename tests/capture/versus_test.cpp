@@ -48,7 +48,7 @@ TEST(Versus, EndsWithOneWhereMemoryIsTooLittleForBoth) {
     rlimit before{};
     getrlimit(RLIMIT_AS, &before);
     rlimit little = before;
-    little.rlim_cur = static_cast<rlim_t>(1.05 * memory_needed(other).total());
+    little.rlim_cur = static_cast<rlim_t>(1.05 * memory_needed(other));
     setrlimit(RLIMIT_AS, &little);
     const Outcome outcome = compare_drop_with("cloth.particles=300,300,contact.self=false");
     setrlimit(RLIMIT_AS, &before);

@@ -76,9 +76,6 @@ public:
     /// @param particles of all cloths
     void reserve(std::size_t contacts, std::size_t particles);
 
-    /// What that room takes [bytes].
-    [[nodiscard]] static std::size_t bytes_for(std::size_t contacts);
-
     /// Corrects positions and velocities so that cloth and balls stay out of each other and of all bodies.
     /// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes
     /// by more than a stated tolerance (projected Gauss-Seidel). Impulses act on a triangle's corners by their weights

@@ -138,8 +138,7 @@ Real displacement_factor(IntegratorKind kind);
 /// @param grid of the cloths it will step; the scratch arrays are made here
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid);
 
-/// About what an integrator takes at most, in making and stepping, for one cloth [bytes]. The arrays are counted; the
-/// fill-in of factors is fitted to square grids from 8 to 420 a side.
+/// About what an integrator takes at most, in making and stepping, for one cloth [bytes].
 double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid);
 
 }  // namespace drape

@@ -8,21 +8,13 @@
 
 namespace drape {
 
-/// About what a simulation takes at most [bytes]; pictures come on top.
-struct MemoryNeed {
-    double cloths = 0;  ///< states, contacts and hierarchies
-    double method = 0;  ///< the integrators'
+/// About what a simulation takes at most, within a factor of two or three [bytes]; pictures come on top.
+double memory_needed(const Settings& settings);
 
-    [[nodiscard]] double total() const { return cloths + method; }
-};
+/// What of it is for pairs of features where cloths meet themselves and each other [bytes].
+double bytes_of_pairs(const ContactSettings& contact, const Grid& grid);
 
-/// @pre the grids have at least 2 x 2 particles
-MemoryNeed memory_needed(const Settings& settings);
-
-/// About what a cloth's states and its share of the searches take, kept with `numbers` for each particle [bytes].
-double bytes_of_cloth(const ContactSettings& contact, const Grid& grid, double numbers);
-
-/// "22500 particles with projective_dynamics need about 54 MB, 43 MB of it for the method".
+/// "22500 particles with projective_dynamics need about 140 MB".
 std::string memory_text(const Settings& settings);
 
 /// Does something that takes memory.

@@ -61,11 +61,6 @@ void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
     scratch.velocities.particles.reserve(count);
 }
 
-std::size_t ContactSolver::bytes_for(std::size_t contacts) {
-    constexpr std::size_t of_contact = sizeof(RowState) + sizeof(Scratch::Particle) + 2 * sizeof(Vec3);
-    return std::min(contacts, max_reserved) * of_contact;
-}
-
 ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real h,
                                       std::span<const ClothInContact> cloths, std::span<Body> bodies,
                                       std::span<ContactRow> rows) {
