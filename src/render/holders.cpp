@@ -10,7 +10,7 @@ namespace drape {
 namespace {
 
 // In metres, as wide as such things are
-constexpr float rod_radius = 0.009f, pole_radius = 0.013f, bar_radius = 0.008f, cord_radius = 0.0015f;
+constexpr float rod_radius = 0.009f, pole_radius = 0.013f, bar_radius = 0.008f, cord_radius = 0.0035f;
 constexpr float jaw_radius = 0.01f, bolt_radius = 0.008f;
 constexpr float peg_radius = 0.007f, peg_length = 0.05f, ring_radius = 0.018f, ring_wire = 0.0025f;
 constexpr float stands_out = 0.06f;  // of a rod, beyond the row's ends
