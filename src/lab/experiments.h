@@ -29,9 +29,6 @@ Experiment self_contact_experiment();
 /// on the original's scene.
 Experiment original_experiment();
 
-/// What the vector kernels buy: the stages of a step with them and with the plain core, by size of the cloth.
-Experiment kernels_experiment();
-
 /// What a ball passes unseen between two steps, by its speed, beside what is predicted; and what it costs to find
 /// what it may have met. Every such query is checked against all cells; a disagreement ends the run.
 Experiment continuous_experiment();
@@ -65,10 +62,10 @@ Experiment steps_experiment();
 
 /// Every experiment of the laboratory.
 inline std::vector<Experiment> all_experiments() {
-    return {stability_experiment(),    precision_experiment(), hierarchy_experiment(), contact_experiment(),
-            self_contact_experiment(), original_experiment(),  kernels_experiment(),   continuous_experiment(),
-            combinations_experiment(), responses_experiment(), rest_experiment(),      solve_experiment(),
-            realtime_experiment(),     minimal_experiment(),   steps_experiment()};
+    return {stability_experiment(),    precision_experiment(), hierarchy_experiment(),  contact_experiment(),
+            self_contact_experiment(), original_experiment(),  continuous_experiment(), combinations_experiment(),
+            responses_experiment(),    rest_experiment(),      solve_experiment(),      realtime_experiment(),
+            minimal_experiment(),      steps_experiment()};
 }
 
 }  // namespace drape
