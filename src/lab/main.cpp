@@ -36,10 +36,11 @@ void add_list(CommandLine& line, std::span<const Experiment> experiments) {
         {"volumes", [=] { names(names_of<VolumeKind>()); }},
         {"updates", [=] { names(names_of<UpdateKind>()); }},
         {"fits", [=] { names(names_of<SphereFit>()); }}};
+    std::vector<std::string> words;
+    for (const auto& [word, print] : lists) words.push_back(word);
     auto what = std::make_shared<std::string>();
     CommandLine& command = line.command("list", "Prints what there is", [what, lists] { lists.at (*what)(); });
-    command.option("what", *what, "of what",
-                   {"WHAT", true, names_in(lists, [](const auto& list) { return list.first; })});
+    command.option("what", *what, "of what", {"WHAT", true, words});
 }
 
 int run(int argc, char** argv) {

@@ -149,10 +149,10 @@ TEST(LabMerge, RefusesSharesThatAreNotTheWhole) {
         return run.err;
     };
     EXPECT_THAT(refusal({"stability-1-3", "stability-2-3"}), HasSubstr("case 159 is missing beside stability-1-3/"));
-    EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}), HasSubstr("case 157 is in stability-1-3/stability.csv ("));
+    EXPECT_THAT(refusal({"stability-1-3", "stability-1-3"}),
+                HasSubstr("case 157 of stability-1-3/stability.csv is in a table before it, too"));
     EXPECT_THAT(refusal({"stability-1-3", "stability-1-2"}),
-                HasSubstr("case 157 is in stability-1-3/stability.csv (--share 1/3) and in "
-                          "stability-1-2/stability.csv (--share 1/2)"));
+                HasSubstr("case 157 of stability-1-2/stability.csv is in a table before it, too"));
     EXPECT_THAT(refusal({"nowhere"}), HasSubstr("no table of an experiment in nowhere"));
     folder.write("stability-1-3/stability.csv.part", "");
     EXPECT_THAT(refusal({"stability-1-3"}), HasSubstr("stability.csv.part: not finished"));

@@ -137,14 +137,13 @@ Experiment combinations_experiment() {
     return {"combinations",
             "does every integrator work with every response, volume and update?",
             4,
-            {name_column<IntegratorKind>("integrator"), name_column<ResponseKind>("response"),
-             word_column("detection", {"discrete", "continuous"}),
-             whole_column("trees", 1),  // with the same bits as brute force
-             positive_column("step_s"), whole_column("touched_steps"),
-             number_column("penetration_m"),  // largest, of any triangle in the ball or particle in the ground
-             number_column("energy_gain_m"),  // largest rise above the least so far: the height by which it would lift
-             number_column("speed_m_per_s"),  // RMS at the end
-             word_column("flaw", {"none", "diverged", "no_contact", "penetration", "energy", "speed"})},
+            {"integrator", "response", "detection",
+             "trees",  // with the same bits as brute force
+             "step_s", "touched_steps",
+             "penetration_m",  // largest, of any triangle in the ball or particle in the ground
+             "energy_gain_m",  // largest rise above the least so far: the height by which it would lift
+             "speed_m_per_s",  // RMS at the end
+             "flaw"},
             {{"integrator", "flaw"}, {"trees", "step_s", "penetration_m", "energy_gain_m", "speed_m_per_s"}},
             {{"", combination_cases, {}}}};
 }

@@ -210,14 +210,12 @@ Experiment contact_experiment() {
     return {"contact",
             "which steps and searches find the contacts that there are?",
             8,
-            {word_column("search", {"discrete", "continuous", "limited"}), word_column("tests", {"0", "24", "12"}),
-             positive_column("speed_m_per_s"), positive_column("step_s"), number_column("missed_contacts"),
-             number_column("missed_steps"),
-             number_column("penetration_m"),  // largest, before the response
-             number_column("left_m"),         // and after it
-             number_column("momentum_error"), word_column("passed", {"0", "1"}), number_column("false_contacts"),
-             number_column("cpu_s_per_s").with_quartiles(),  // time for a simulated second
-             whole_column("reference_triangles", 1), number_column("reference_penetration_m")},
+            {"search", "tests", "speed_m_per_s", "step_s", "missed_contacts", "missed_steps",
+             "penetration_m",  // largest, before the response
+             "left_m",         // and after it
+             "momentum_error", "passed", "false_contacts",
+             quartile_columns("cpu_s_per_s"),  // time for a simulated second
+             "reference_triangles", "reference_penetration_m"},
             {{"search", "tests", "speed_m_per_s", "passed"},
              {"step_s", "missed_contacts", "left_m", "momentum_error", "cpu_s_per_s"}},
             {{"", contact_cases, {{"contact"}}}}};

@@ -182,14 +182,11 @@ Experiment continuous_experiment() {
     return {"continuous",
             "what passes unseen between two steps, and what does it cost to see it?",
             6,
-            {word_column("part", {"misses", "time"}), word_column("target", {"point", "sheet", "none"}),
-             word_column("detection", {"discrete", "continuous", "none"}),
-             positive_column("q").or_nan(),  // v dt / (2 R)
-             whole_column("shots", 1).or_nan(),
-             number_column("discrete_missed").or_nan(),  // part of the shots
-             number_column("continuous_missed").or_nan(), number_column("predicted").or_nan(),
-             whole_column("particles", 4).or_nan(), number_column("build_s").or_nan().with_quartiles(),
-             number_column("search_s").or_nan().with_quartiles()},
+            {"part", Column{"target", "none"}, Column{"detection", "none"},
+             "q",  // v dt / (2 R)
+             "shots",
+             "discrete_missed",  // part of the shots
+             "continuous_missed", "predicted", "particles", quartile_columns("build_s"), quartile_columns("search_s")},
             {{"part", "target", "detection", "q", "particles"},
              {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
             {{"misses", miss_cases, {{"continuous_misses"}}}, {"time", time_cases, {{"continuous_time"}}}}};

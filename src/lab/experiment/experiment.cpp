@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "drape/base/assert.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 
@@ -14,26 +13,6 @@ namespace {
 /// The name of a quartile's column beside that of its median: NAME_lower_UNIT.
 std::string quartile_name(const std::string& column, const char* mark) {
     return std::string(column).insert(column.find('_'), mark);
-}
-
-bool has_word(const Column& column, const std::string& cell) {
-    return std::ranges::find(column.words, cell) != column.words.end();
-}
-
-bool has_number(const Column& column, const std::string& cell) {
-    constexpr double most_whole = 9007199254740992;  // 2^53: up to here a double tells all whole numbers apart
-    const auto number = parse_real(cell);
-    if (column.kind == Column::Kind::Word || !number || !std::isfinite(*number)) return false;
-    if (column.kind == Column::Kind::Whole && (*number != std::floor(*number) || *number > most_whole)) return false;
-    return column.kind == Column::Kind::Positive ? *number > column.least : *number >= column.least;
-}
-
-/// What a cell may be, as a message says it.
-std::string allowed_in(const Column& column) {
-    if (column.kind == Column::Kind::Word) return listed(column.words);
-    const std::string text = fmt::format("a {} number {} {}", column.kind == Column::Kind::Whole ? "whole" : "finite",
-                                         column.kind == Column::Kind::Positive ? ">" : ">=", real_text(column.least));
-    return column.words.empty() ? text : text + ", or " + listed(column.words);
 }
 
 /// Words stand for themselves but for "none", numbers with the names of their columns.
@@ -62,28 +41,8 @@ std::string range_of(const Rows& rows, const std::string& column) {
 
 }  // namespace
 
-Column Column::or_words(const std::vector<std::string>& others) const {
-    Column more = *this;
-    more.words.insert(more.words.end(), others.begin(), others.end());
-    return more;
-}
-
-Columns Column::with_quartiles() const {
-    Columns three{*this};
-    for (const char* mark : {"_lower", "_upper"}) {
-        three.push_back(*this);
-        three.back().name = quartile_name(name, mark);
-    }
-    return three;
-}
-
-std::string flaw_of(const Columns& columns, const TableRow& row) {
-    DRAPE_ASSERT(row.size() == columns.size());
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        if (has_word(columns[k], row[k]) || has_number(columns[k], row[k])) continue;
-        return "column " + columns[k].name + ": '" + shortened(row[k]) + "': allowed " + allowed_in(columns[k]);
-    }
-    return "";
+Columns quartile_columns(const char* median) {
+    return {median, Column{quartile_name(median, "_lower")}, Column{quartile_name(median, "_upper")}};
 }
 
 void Row::set(const std::string& column, const Cell& cell) {
@@ -102,19 +61,9 @@ void Row::set(const Row& other) {
 
 double Row::number(const std::string& column) const {
     const std::string cell = word(column);
-    if (cell.empty() || cell == "nan") return no_number;
+    if (cell.empty()) return no_number;
     if (const auto number = parse_real(cell)) return *number;
-    throw RunError("a row has '" + cell + "' for the number '" + column + "'");
-}
-
-std::string Row::text(const Column& column, int digits) const {
-    const auto found = cells_.find(column.name);
-    const bool is_word = column.kind == Column::Kind::Word;
-    const std::string cell = found != cells_.end() ? found->second : is_word ? "none" : "nan";
-    const auto number = parse_real(cell);
-    if (is_word || !number) return cell;
-    if (std::isnan(*number) && has_word(column, "")) return "";
-    return real_text(*number, column.kind == Column::Kind::Whole ? 17 : digits);
+    throw InputError("a row has '" + shortened(cell) + "' for the number '" + column + "'");
 }
 
 TableRow Row::texts(const Columns& columns, int digits) const {
@@ -123,7 +72,14 @@ TableRow Row::texts(const Columns& columns, int digits) const {
         throw RunError("a row has a cell for '" + name + "', and its table no such column");
     }
     TableRow texts;
-    for (const Column& column : columns) texts.push_back(text(column, digits));
+    for (const Column& column : columns) {
+        const auto found = cells_.find(column.name);
+        const std::string cell = found == cells_.end() ? column.if_none : found->second;
+        const auto number = parse_real(cell);
+        texts.push_back(!number || parse_integer(cell) ? cell
+                        : std::isnan(*number)          ? column.if_none
+                                                       : real_text(*number, digits));
+    }
     return texts;
 }
 

@@ -17,73 +17,33 @@
 
 namespace drape {
 
-struct Columns;
-
-/// A column of a table, and what its cells may be: one of some words, or a finite number within a range. Nothing else
-/// is written into a table, and nothing else is read from one. There is no column of free text.
+/// A column of a table, and what stands in it where a row says nothing.
 struct Column {
-    enum class Kind { Word, Whole, Number, Positive };
-
     std::string name;
-    Kind kind = Kind::Word;
-    std::vector<std::string> words = {};  ///< those allowed; in a column of numbers, what may stand in place of one
-    double least = 0;                     ///< of a number; a positive one is more
-
-    /// The same column, in which such words may also stand.
-    [[nodiscard]] Column or_words(const std::vector<std::string>& others) const;
-
-    /// The same column, in which "nan" may also stand: there is no such number. Some processors give what 0/0 is a
-    /// sign.
-    [[nodiscard]] Column or_nan() const { return or_words({"nan", "-nan"}); }
-
-    /// The same column as that of a median NAME_UNIT, and those of its quartiles, NAME_lower_UNIT and NAME_upper_UNIT.
-    [[nodiscard]] Columns with_quartiles() const;
+    std::string if_none = "nan";
 };
 
 /// The columns of a table, one after the other.
 struct Columns : std::vector<Column> {
+    Columns(const char* name) { push_back({name}); }
     Columns(const Column& column) { push_back(column); }
     Columns(std::initializer_list<Columns> parts) {
         for (const Columns& part : parts) insert(end(), part.begin(), part.end());
     }
 };
 
-/// A column of known words.
-inline Column word_column(std::string name, std::vector<std::string> words) {
-    return {.name = std::move(name), .words = std::move(words)};
-}
-
-/// A column of the names of an enumeration's values, and others.
-template <Enumeration Enum>
-Column name_column(std::string name, const std::vector<std::string>& others = {}) {
-    const auto names = names_of<Enum>();
-    return word_column(std::move(name), {names.begin(), names.end()}).or_words(others);
-}
-
-/// A column of whole numbers.
-inline Column whole_column(std::string name, double least = 0) {
-    return {.name = std::move(name), .kind = Column::Kind::Whole, .least = least};
-}
-
-/// A column of numbers that are not negative.
-inline Column number_column(std::string name) { return {std::move(name), Column::Kind::Number}; }
-
-/// A column of numbers above zero.
-inline Column positive_column(std::string name) { return {std::move(name), Column::Kind::Positive}; }
+/// The column of a median, NAME_UNIT, and those of its quartiles, NAME_lower_UNIT and NAME_upper_UNIT.
+Columns quartile_columns(const char* median);
 
 /// One line of an experiment's table, a text a column.
 using TableRow = std::vector<std::string>;
-
-/// What is wrong with the cells of a row: "column NAME: 'value': allowed ..."; empty if nothing is.
-/// @param row as many cells as there are columns
-std::string flaw_of(const Columns& columns, const TableRow& row);
 
 /// What a row has in a column: a word, all digits of a number, or a median and its quartiles, which are cells of their
 /// own.
 struct Cell : std::variant<std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
-        : variant(real_text(static_cast<double>(number))) {}
+        : variant(std::is_integral_v<Number> ? std::to_string(number) : real_text(static_cast<double>(number))) {}
     template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
     Cell(const char* word) : variant(word) {}
@@ -91,7 +51,7 @@ struct Cell : std::variant<std::string, Quartiles> {
     Cell(const Quartiles& quartiles) : variant(quartiles) {}
 };
 
-/// A row of an experiment's table, by the names of its columns. What a case does not say is nan, or the word "none".
+/// A row of an experiment's table, by the names of its columns.
 class Row {
 public:
     Row() = default;
@@ -105,7 +65,7 @@ public:
     void set(const Row& other);
 
     /// What it has in a column, as a number and as it is.
-    /// @throws std::out_of_range if the row has no cell there; RunError if it has a word where a number is asked for
+    /// @throws std::out_of_range if the row has no cell there; InputError if it has a word where a number is asked for
     [[nodiscard]] double number(const std::string& column) const;
     [[nodiscard]] std::string word(const std::string& column) const { return cells_.at(column); }
 
@@ -115,8 +75,6 @@ public:
     [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
 
 private:
-    [[nodiscard]] std::string text(const Column& column, int digits) const;
-
     std::map<std::string, std::string> cells_;
 };
 
@@ -124,14 +82,6 @@ using Rows = std::vector<Row>;
 
 /// Rows that have a word in a column.
 Rows rows_with(Rows rows, const std::string& column, const std::string& word);
-
-/// The names of some items, for a column of words.
-template <class Items, class Name>
-std::vector<std::string> names_in(const Items& items, Name name) {
-    std::vector<std::string> names;
-    for (const auto& item : items) names.emplace_back(std::invoke(name, item));
-    return names;
-}
 
 /// The words that rows have in a column, each once, in the order in which they come.
 std::vector<std::string> words_of(const Rows& rows, const std::string& column);

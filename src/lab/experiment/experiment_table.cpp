@@ -4,27 +4,25 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <ctime>
 #include <fstream>
-#include <regex>
 #include <string_view>
 #include <thread>
 
+#include "drape/base/assert.h"
 #include "drape/base/commit.h"
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 #include "drape/base/real.h"
-#include "lab/line_reader.h"
 
 namespace drape {
 namespace {
 
-constexpr std::size_t longest_table_line = 16 * 1024;    // bytes: a line of a merged head names every machine
+constexpr std::size_t longest_line = 16 * 1024;          // bytes: a line of a merged head names every machine
 constexpr std::size_t largest_table = 32 * 1024 * 1024;  // bytes: the largest of a whole run has 5 million
-constexpr long long most_cases = 100'000;
 constexpr std::size_t most_parts = 10000;
-constexpr std::string_view table_end_mark = "# end: ";  // before the number of its cases
 
 /// Two numbers with a mark between.
 /// @throws InputError unless 1 <= first <= second <= most
@@ -43,9 +41,7 @@ std::string machine() {
     std::ifstream in("/proc/cpuinfo");
     for (std::string line; std::getline(in, line);) {
         if (!line.starts_with("model name")) continue;
-        std::string model = line.substr(std::min(line.find(':') + 2, line.size()));
-        std::ranges::replace_if(
-            model, [](char c) { return c < ' ' || c > '~'; }, '?');
+        const std::string model = line.substr(std::min(line.find(':') + 2, line.size()));
         return fmt::format("{} with {} cores", model, std::thread::hardware_concurrency());
     }
     return "unknown";
@@ -65,11 +61,29 @@ std::string columns_line(const Experiment& experiment) {
     return line;
 }
 
-/// Reads a table line after line, and checks each.
-class TableReader : LineReader {
+/// The last line of a table: one that has none was cut off.
+std::string end_line(std::size_t cases) { return fmt::format("# end: {}", cases); }
+
+/// Nothing that gnuplot, a shell or a page would take for more than a word or a number.
+bool is_plain(std::string_view cell) {
+    return std::ranges::all_of(
+        cell, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '+' || c == '-'; });
+}
+
+/// The lines of a table, one after the other.
+class TableLines {
 public:
-    TableReader(const Experiment& experiment, std::istream& in, const std::string& name, bool unfinished)
-        : LineReader(in, name, longest_table_line), experiment_(experiment), unfinished_(unfinished) {}
+    TableLines(std::istream& in, const std::string& name, bool unfinished)
+        : in_(in), name_(name), unfinished_(unfinished) {}
+
+    /// False at the end, or where an unfinished table is cut off.
+    bool next() {
+        const LineEnd end = read_line(in_, line, longest_line);
+        if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
+        ++number_;
+        if (end != LineEnd::Whole) fail("cut off, or longer than a table's line may be");
+        return true;
+    }
 
     /// @return nothing where it is cut off before its head ends
     std::optional<TableHead> read_head() {
@@ -77,105 +91,23 @@ public:
         for (const std::string name : head_lines) {
             if (!next()) return {};
             const std::string mark = "# " + name + ": ";
-            if (!line().starts_with(mark)) fail("'{}': allowed '{}' of a head", shortened(line()), mark);
-            head[name] = line().substr(mark.size());
+            if (!line.starts_with(mark)) fail(fmt::format("'{}': allowed '{}' of a head", shortened(line), mark));
+            head[name] = line.substr(mark.size());
         }
         return head;
     }
 
-    /// Reads all of it.
-    std::optional<ExperimentTable> read() {
-        const auto head = read_head();
-        const auto wanted = head ? cases_of(*head) : std::vector<std::size_t>{};
-        if (!head || !next()) {
-            if (unfinished_) return {};
-            fail("there is no table");
-        }
-        if (line() != columns_line(experiment_)) fail("these are not the columns of {}", experiment_.name);
-        ExperimentTable table{*head, {}};
-        while (next()) {
-            if (line().starts_with(table_end_mark)) {
-                check_end(table.cases.size(), wanted);
-                return table;
-            }
-            const auto cells = split_at_commas(line());
-            if (cells.size() != experiment_.columns.size() + 1) {
-                fail("{} cells: allowed {}", cells.size(), experiment_.columns.size() + 1);
-            }
-            const std::size_t number = case_of(cells.front(), table.cases.size(), wanted);
-            const TableRow texts(cells.begin() + 1, cells.end());
-            if (const std::string flaw = flaw_of(experiment_.columns, texts); !flaw.empty()) fail("{}", flaw);
-            Row& row = table.cases[number].emplace_back();
-            for (std::size_t k = 0; k < texts.size(); ++k) row.set(experiment_.columns[k].name, texts[k]);
-            // No digit may vanish where the row is written again
-            const TableRow again = row.texts(experiment_.columns, experiment_.digits);
-            for (std::size_t k = 0; k < texts.size(); ++k) {
-                if (texts[k] == again[k]) continue;
-                fail("column {}: '{}': allowed '{}', as a run writes it", experiment_.columns[k].name,
-                     shortened(texts[k]), again[k]);
-            }
-        }
-        if (!unfinished_) fail("cut off: expected '{}', the number of cases", table_end_mark);
-        // Its last rows may be missing. Cases are computed in ascending order
-        if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
-        return table;
+    [[noreturn]] void fail(const std::string& why) const {
+        throw InputError(fmt::format("{}:{}: {}", name_, number_, why));
     }
+
+    std::string line;
 
 private:
-    /// False at the end, or where an unfinished table is cut off.
-    bool next() {
-        const LineEnd end = LineReader::next();
-        if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
-        if (end == LineEnd::CutOff) fail("cut off");
-        const auto foreign = std::ranges::find_if(line(), [](char c) { return c < ' ' || c > '~'; });
-        if (foreign != line().end()) {
-            fail("byte {} is no printable ASCII character", foreign - line().begin() + 1);
-        }
-        return true;
-    }
-
-    /// The numbers of the cases that a table with this head has when it is finished.
-    [[nodiscard]] std::vector<std::size_t> cases_of(const TableHead& head) const {
-        const auto demand = [&](const std::string& name, bool good, const std::string& allowed) {
-            if (!good) fail("{} = '{}' above: allowed {}", name, shortened(head.at(name)), allowed);
-        };
-        const long long count = parse_integer(head.at("cases")).value_or(0);
-        const auto selection = parse_selection(head.at("settings"));
-        demand("experiment", head.at("experiment") == experiment_.name, "'" + experiment_.name + "'");
-        demand("settings", selection.has_value(),
-               "'whole' or '--quick', then ' --cases FIRST-LAST' and ' --share K/N' or nothing");
-        demand("cases", count >= 1 && count <= most_cases, fmt::format("1 to {}", most_cases));
-        try {
-            return selection->numbers(static_cast<std::size_t>(count));
-        } catch (const InputError& error) {
-            fail("the settings above have {}", error.what());
-        }
-    }
-
-    /// The case of a row: that of the row above, or the one that follows it.
-    /// @param begun how many of those wanted there are above
-    [[nodiscard]] std::size_t case_of(std::string_view cell, std::size_t begun,
-                                      const std::vector<std::size_t>& wanted) const {
-        std::vector<std::string> allowed;
-        for (std::size_t k = begun > 0 ? begun - 1 : 0; k <= begun && k < wanted.size(); ++k) {
-            allowed.push_back(std::to_string(wanted[k]));
-            if (cell == allowed.back()) return wanted[k];
-        }
-        fail("column case: '{}': allowed {}, by 'settings' and 'cases' above", shortened(cell),
-             allowed.empty() ? "none" : fmt::format("{}", fmt::join(allowed, " or ")));
-    }
-
-    /// At the line that begins as the last one does.
-    /// @param there how many cases are above
-    void check_end(std::size_t there, const std::vector<std::size_t>& wanted) const {
-        const std::string end = fmt::format("{}{}", table_end_mark, there);
-        if (line() != end) fail("'{}': allowed '{}', the number of cases above", shortened(line()), end);
-        if (there < wanted.size()) fail("case {} is missing above", wanted[there]);
-        if (!at_end()) fail("there is more after the end");
-    }
-
-    const Experiment& experiment_;
+    std::istream& in_;
+    const std::string& name_;
     bool unfinished_;
+    int number_ = 0;
 };
 
 }  // namespace
@@ -196,14 +128,6 @@ std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
         if (number % part.second == part.first % part.second) wanted.push_back(number);
     }
     return wanted;
-}
-
-std::optional<CaseSelection> parse_selection(const std::string& text) {
-    static const std::regex form("(--quick|whole)(?: --cases ([^ ]+))?(?: --share ([^ ]+))?");
-    std::smatch parts;
-    // The matcher's depth is that of the text
-    if (text.size() > 1000 || !std::regex_match(text, parts, form)) return {};
-    return CaseSelection{parts[1] == "--quick", parts[2], parts[3]};
 }
 
 TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases) {
@@ -233,7 +157,45 @@ Rows ExperimentTable::rows() const {
 
 std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
                                           bool unfinished) {
-    return TableReader(experiment, in, name, unfinished).read();
+    TableLines lines(in, name, unfinished);
+    const auto head = lines.read_head();
+    if (!head || !lines.next()) {
+        if (unfinished) return {};
+        lines.fail("there is no table");
+    }
+    const Columns& columns = experiment.columns;
+    if (head->at("experiment") != experiment.name || lines.line != columns_line(experiment)) {
+        lines.fail("this is no table of " + experiment.name + ", or of another version");
+    }
+    ExperimentTable table{*head, {}};
+    while (lines.next()) {
+        if (lines.line.starts_with('#')) {
+            const std::string end = end_line(table.cases.size());
+            if (lines.line != end) lines.fail(fmt::format("'{}': allowed '{}'", shortened(lines.line), end));
+            if (lines.next()) lines.fail("there is more after the end");
+            return table;
+        }
+        const auto cells = split_at_commas(lines.line);
+        if (cells.size() != columns.size() + 1) {
+            lines.fail(fmt::format("{} cells: allowed {}", cells.size(), columns.size() + 1));
+        }
+        const long long number = parse_integer(cells[0]).value_or(0);
+        if (number < 1 || (!table.cases.empty() && number < static_cast<long long>(table.cases.rbegin()->first))) {
+            lines.fail("case '" + shortened(cells[0]) + "': allowed that of the row above, or a greater one");
+        }
+        Row& row = table.cases[static_cast<std::size_t>(number)].emplace_back();
+        for (std::size_t k = 0; k < columns.size(); ++k) {
+            if (!is_plain(cells[k + 1])) {
+                lines.fail(fmt::format("column {}: '{}': allowed letters, digits and any of _.+-", columns[k].name,
+                                       shortened(cells[k + 1])));
+            }
+            row.set(columns[k].name, std::string(cells[k + 1]));
+        }
+    }
+    if (!unfinished) lines.fail("cut off: expected '" + end_line(table.cases.size()) + "'");
+    // Its last rows may be missing. Cases are computed in ascending order
+    if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
+    return table;
 }
 
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
@@ -243,10 +205,11 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
     return read_table(experiment, in, file.string(), unfinished);
 }
 
-std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file) try {
+std::optional<TableHead> read_head(const std::filesystem::path& file) try {
     if (!exists(file)) return {};
     InputFile in(file.string(), largest_table, InputKind::Regular);
-    return TableReader(experiment, in, file.string(), true).read_head();
+    const std::string name = file.string();
+    return TableLines(in, name, true).read_head();
 } catch (const InputError&) {
     return {};
 }
@@ -263,21 +226,17 @@ TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::pa
 }
 
 void TableWriter::write(std::size_t number, const Rows& rows) {
-    std::string text, flaw = rows.empty() ? "it has no rows" : "";
+    DRAPE_ASSERT(!rows.empty());
     for (const Row& row : rows) {
-        const TableRow texts = row.texts(experiment_.columns, experiment_.digits);
-        if (flaw.empty()) flaw = flaw_of(experiment_.columns, texts);
-        text += fmt::format("{},{}\n", number, fmt::join(texts, ","));
+        out_.stream() << fmt::format("{},{}\n", number,
+                                     fmt::join(row.texts(experiment_.columns, experiment_.digits), ","));
     }
-    // A table that could not be read back is none
-    if (!flaw.empty()) throw RunError(fmt::format("{}: case {}: {}", experiment_.name, number, flaw));
     ++cases_;
-    out_.stream() << text;
     out_.flush();
 }
 
 void TableWriter::finish() {
-    out_.stream() << table_end_mark << cases_ << '\n';
+    out_.stream() << end_line(cases_) << '\n';
     out_.close();
     if (exists(file_)) set_file_aside(file_);
     std::error_code error;

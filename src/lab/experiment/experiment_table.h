@@ -28,9 +28,6 @@ struct CaseSelection {
     [[nodiscard]] std::vector<std::size_t> numbers(std::size_t count) const;
 };
 
-/// Reads what `text` has written; nothing if it is anything else. What the options say is not looked at.
-std::optional<CaseSelection> parse_selection(const std::string& text);
-
 /// The names of the lines at the head of a table, in their order.
 inline constexpr const char* head_lines[] = {"experiment", "drape", "commit",   "machine",
                                              "compiler",   "date",  "settings", "cases"};
@@ -54,13 +51,12 @@ struct ExperimentTable {
     [[nodiscard]] Rows rows() const;
 };
 
-/// Reads a table that an experiment has written, as `TableWriter` writes it, and checks all of it: head, columns, every
-/// cell by its column and as a run would write it, and that the cases are those of the head, each once and in their
-/// order. Nothing of a table that fails is used. Never keeps more of a line than it may have.
+/// Reads a table that an experiment has written. One that was cut off, or has rows of another table between its own, is
+/// refused; so is a cell that is no plain word or number, whatever it is that somebody has put there.
 /// @param name of the file, for messages
 /// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
 /// @return nothing if it is unfinished and cut off before its first row
-/// @throws InputError with name and line, with column, value and what is allowed, if it is not such a table
+/// @throws InputError with name and line, if it is not such a table
 std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
                                           bool unfinished);
 
@@ -72,7 +68,7 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
 
 /// The head of a table whose rows are not looked at.
 /// @return nothing if there is no such file, or it does not begin with a head
-std::optional<TableHead> read_head(const Experiment& experiment, const std::filesystem::path& file);
+std::optional<TableHead> read_head(const std::filesystem::path& file);
 
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {
@@ -82,7 +78,8 @@ public:
     TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table);
 
     /// All of a case reaches the file, or counts as not done.
-    /// @throws RunError if it cannot be written, has no rows, or a cell that is not what its column may have
+    /// @pre it has rows
+    /// @throws RunError if it cannot be written, or has a cell that no column has
     void write(std::size_t number, const Rows& rows);
 
     /// Closes the table with the number of its cases, and gives the file its name. What has that name is kept under a

@@ -92,7 +92,7 @@ void run(const Experiment& experiment, std::span<const Experiment> all, const Ru
     const UnfinishedFile lock(file.string() + ".lock");
     const TableHead head = head_of(experiment, options.selection, cases.size());
     // The finished table of the same program, machine and settings is used; anything else is none of ours
-    const auto there = read_head(experiment, file);
+    const auto there = read_head(file);
     const bool is_done =
         !options.again && !exists(unfinished_name(file)) && there && difference(*there, head, {"date"}).empty();
     if (!is_done) compute(experiment, cases, wanted, head, file);
@@ -111,11 +111,9 @@ struct MergeOptions {
 std::optional<ExperimentTable> joined(const Experiment& experiment, const std::vector<std::string>& folders) {
     std::optional<ExperimentTable> whole;
     std::string first;
-    std::map<std::size_t, std::string> file_of;  // of each case
     std::set<std::string> machines;
     for (const std::filesystem::path folder : folders) {
         const auto path = folder / (experiment.name + ".csv");
-        std::string file = path.string();
         if (exists(unfinished_name(path))) {
             throw InputError(unfinished_name(path).string() + ": not finished; start its run again to go on with it");
         }
@@ -123,27 +121,26 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         if (!share) continue;
         machines.insert(share->head["machine"]);
         std::string& settings = share->head["settings"];
-        if (const std::size_t mark = settings.find(" --share "); mark != std::string::npos) {
-            file += " (" + settings.substr(mark + 1) + ")";
-            settings.resize(mark);
-        }
+        settings.resize(std::min(settings.find(" --share "), settings.size()));
         if (!whole) {
-            first = file;
+            first = path.string();
             whole = ExperimentTable{share->head, {}};
         }
         if (const auto differs = difference(share->head, whole->head, {"date", "machine"}); !differs.empty()) {
-            throw InputError(fmt::format("{} is of another run than {} ({})", file, first, differs));
-        }
-        for (const auto& [number, rows] : share->cases) {
-            const auto [other, is_new] = file_of.emplace(number, file);
-            if (!is_new) throw InputError(fmt::format("case {} is in {} and in {}", number, other->second, file));
+            throw InputError(fmt::format("{} is of another run than {} ({})", path.string(), first, differs));
         }
         whole->cases.merge(share->cases);
+        if (share->cases.empty()) continue;
+        throw InputError(
+            fmt::format("case {} of {} is in a table before it, too", share->cases.begin()->first, path.string()));
     }
     if (!whole) return {};
-    const CaseSelection selection = parse_selection(whole->head["settings"]).value();
-    for (const std::size_t number : selection.numbers(std::stoul(whole->head["cases"]))) {
-        if (whole->cases.contains(number)) continue;
+    const std::string settings = whole->head["settings"], mark = " --cases ";
+    const std::size_t at = settings.find(mark);
+    const std::string cases = at == std::string::npos ? "1-" + whole->head["cases"] : settings.substr(at + mark.size());
+    const auto range = parse_integers(cases, '-').value_or(std::pair(1LL, 1LL));
+    for (long long number = range.first; number <= range.second; ++number) {
+        if (whole->cases.contains(static_cast<std::size_t>(number))) continue;
         throw InputError(fmt::format("case {} is missing beside {}: not all shares are there", number, first));
     }
     whole->head["machine"] = fmt::format("{}", fmt::join(machines, "; "));

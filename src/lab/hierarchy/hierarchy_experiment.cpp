@@ -305,34 +305,29 @@ Experiment hierarchy_experiment() {
     return {"hierarchy",
             "what does a tighter hierarchy cost, and what does it save?",
             8,
-            {word_column("part", {"fit", "level", "budget", "break_even", "size"}),
-             word_column("scene", names_in(scene_motions(1), &MotionWanted::scene)), name_column<VolumeKind>("volume"),
-             name_column<SphereFit>("sphere_fit", {"none"}), name_column<UpdateKind>("update"),
-             whole_column("particles", 4),
-             whole_column("leaf_cells"),      // 0: as measured to be fastest
-             whole_column("level").or_nan(),  // that the row is about, or at which the search ended
-             whole_column("tests").or_nan(),  // after which the search ended
-             number_column("interval_s"),     // between frames
-             whole_column("frame").or_nan(),
+            {"part", "scene", "volume", Column{"sphere_fit", "none"}, "update", "particles",
+             "leaf_cells",  // 0: as measured to be fastest
+             "level",       // that the row is about, or at which the search ended
+             "tests",       // after which the search ended
+             "interval_s",  // between frames
+             "frame",
              // CPU times, over frames and repeats
-             number_column("build_s").or_nan().with_quartiles(), number_column("query_s").or_nan().with_quartiles(),
-             number_column("exact_s").or_nan().with_quartiles(),
-             number_column("whole_s"),  // build, query and exact test
-             number_column("whole_lower_s").or_nan(), number_column("whole_upper_s").or_nan(),
-             number_column("cumulative_s").or_nan(),  // of all frames so far, medians over repeats
-             number_column("cumulative_s_over_rebuild_s").or_nan(),
+             quartile_columns("build_s"), quartile_columns("query_s"), quartile_columns("exact_s"),
+             quartile_columns("whole_s"),  // build, query and exact test
+             "cumulative_s",               // of all frames so far, medians over repeats
+             "cumulative_s_over_rebuild_s",
              // A mean frame; the same in every run
-             number_column("nodes"),                    // of the whole tree, or of the level
-             number_column("visited"),                  // by the search
-             number_column("candidates"),               // cells
-             number_column("touching"),                 // cells
-             number_column("false_per_true").or_nan(),  // candidates that do not touch over those that do
-             number_column("tightness").or_nan(),  // mean size of nodes, over that of the smallest volume of the kind
-             number_column("moved").or_nan(),      // part of the particles that moved farther than a refit lets pass
+             "nodes",           // of the whole tree, or of the level
+             "visited",         // by the search
+             "candidates",      // cells
+             "touching",        // cells
+             "false_per_true",  // candidates that do not touch over those that do
+             "tightness",       // mean size of nodes, over that of the smallest volume of the kind
+             "moved",           // part of the particles that moved farther than a refit lets pass
              // What a limited search did to the simulated motion
-             number_column("missed_penetration_m").or_nan(),  // largest
-             number_column("false_contacts").or_nan(),        // a step
-             number_column("distance_m").or_nan()},  // RMS of the particles from those of the full search, at the end
+             "missed_penetration_m",  // largest
+             "false_contacts",        // a step
+             "distance_m"},           // RMS of the particles from those of the full search, at the end
             {{"part", "scene", "particles", "volume"},
              {"whole_s", "false_per_true", "tightness", "missed_penetration_m", "cumulative_s_over_rebuild_s"}},
             {{"fit",

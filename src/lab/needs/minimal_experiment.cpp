@@ -101,16 +101,13 @@ Experiment minimal_experiment() {
     return {"minimal",
             "how much model does a scene need, and what does each part of it buy?",
             5,
-            {word_column("part", {"ladder", "notches", "budget"}), word_column("scene", scene_names()),
-             name_column<Knob>("changed", {"none"}),  // a notch less of it, or in `budget` closer to the full model
-             whole_column("particles_x", 2), whole_column("particles_y", 2), word_column("bend", {"no", "yes"}),
-             word_column("drag", {"no", "yes"}), name_column<IntegratorKind>("integrator"), positive_column("step_s"),
-             whole_column("iterations", 0), positive_column("allowed_error").or_nan(),
-             number_column("error").or_nan(),           // against the full model, of the cloth's side
-             number_column("miss").or_nan(),            // the worst of what was measured over what is allowed
-             positive_column("cost_s_per_s").or_nan(),  // CPU time of a simulated second
-             number_column("moved").or_nan(),  // in `budget`: from the motion of the scene, of the cloth's side
-             word_column("outcome", {"kept", "costlier", "rejected", "compared", "diverged"})},
+            {"part", "scene", Column{"changed", "none"},  // a notch less of it, or in `budget` closer to the full model
+             "particles_x", "particles_y", "bend", "drag", "integrator", "step_s", "iterations", "allowed_error",
+             "error",         // against the full model, of the cloth's side
+             "miss",          // the worst of what was measured over what is allowed
+             "cost_s_per_s",  // CPU time of a simulated second
+             "moved",         // in `budget`: from the motion of the scene, of the cloth's side
+             "outcome"},
             {{"part", "scene", "changed", "integrator", "outcome"},
              {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
             {{"ladder", cases_of(run_ladder, searched), {{"minimal"}}, "scene"},

@@ -170,8 +170,10 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
 void complete_diagram(Chart& diagram, const Rows& rows) {
     Rows own = rows;
     // They could not be drawn
-    std::erase_if(own, [](const Row& row) {
-        return row.word("end") == "bounded" && std::isnan(row.number("error") + row.number("cost_s_per_s"));
+    const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
+    std::erase_if(own, [&](const Row& row) {
+        const bool has_point = positive(row.number("error")) && positive(row.number("cost_s_per_s"));
+        return !positive(row.number("step_s")) || (row.word("end") == "bounded" && !has_point);
     });
     const Rows points = rows_with(own, "end", "bounded");
     if (points.empty()) return;
@@ -275,15 +277,11 @@ Experiment precision_experiment() {
     return {"precision",
             "what does accuracy cost, by which method?",
             6,
-            {word_column("scene", names_in(precision_scenes(false), &PrecisionScene::name)),
-             whole_column("particles", 2), positive_column("stiffness_N_per_m"), positive_column("horizon_s"),
-             whole_column("phases", 1), word_column("method", names_in(precision_methods(), &Method::name)),
-             positive_column("tolerance").or_words({""}),  // of Dormand-Prince
-             whole_column("steps", 1), positive_column("step_s"), word_column("end", {"bounded", "unstable"}),
-             word_column("measure", {"position"}), number_column("error").or_nan(),
-             number_column("cost_lower_s_per_s").or_nan(),  // CPU time of a simulated second
-             positive_column("cost_s_per_s").or_nan(), number_column("cost_upper_s_per_s").or_nan(),
-             number_column("reference_error"), number_column("growth").or_nan().or_words({"inf"})},  // of a small error
+            {"scene", "particles", "stiffness_N_per_m", "horizon_s", "phases", "method",
+             Column{"tolerance", ""},  // of Dormand-Prince
+             "steps", "step_s", "end", "measure", "error", "cost_lower_s_per_s",
+             "cost_s_per_s",                                      // CPU time of a simulated second
+             "cost_upper_s_per_s", "reference_error", "growth"},  // of a small error
             {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
             {{"",
               precision_cases,

@@ -135,13 +135,10 @@ Experiment responses_experiment() {
     return {"responses",
             "which response is right, and at which step?",
             5,
-            {word_column("part", {"step", "limit"}), name_column<ResponseKind>("response"),
-             positive_column("step_s").or_nan(), number_column("impact_error_s").or_nan(),
-             number_column("height_error").or_nan(), number_column("drift_m_per_s").or_nan(),
-             number_column("sweeps").or_nan(), number_column("respond_s").or_nan().with_quartiles(),
-             positive_column("stiffness_N_per_m").or_nan(),  // of a penalty
-             number_column("restitution").or_nan(), positive_column("predicted_step_s").or_nan(),
-             positive_column("measured_step_s").or_nan()},
+            {"part", "response", "step_s", "impact_error_s", "height_error", "drift_m_per_s", "sweeps",
+             quartile_columns("respond_s"),
+             "stiffness_N_per_m",  // of a penalty
+             "restitution", "predicted_step_s", "measured_step_s"},
             {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
              {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
             {{"step", step_cases, {{"responses"}}}, {"limit", limit_cases, {{"responses_limit"}}}}};

@@ -104,14 +104,13 @@ Experiment solve_experiment() {
     return {"solve",
             "what does an implicit step cost on a large cloth, and how far must it be solved?",
             5,
-            {word_column("part", {"tolerance", "newton", "size"}),
-             word_column("method", names_in(solved_methods(), &Method::name)), whole_column("side", 2),
-             positive_column("time_s"),  // simulated, from rest
-             positive_column("step_s"), positive_column("tolerance"), whole_column("newton_steps", 1),
-             number_column("solver_error_m").or_nan(),     // RMS over the particles, against solves to 1e-9
-             number_column("step_error_m").or_nan(),       // of such, against steps a sixteenth as long or less
-             number_column("iterations"),                  // of a step, in the mean over the last ten
-             positive_column("cost_s").with_quartiles()},  // CPU time of a step, over the same
+            {"part", "method", "side",
+             "time_s",  // simulated, from rest
+             "step_s", "tolerance", "newton_steps",
+             "solver_error_m",             // RMS over the particles, against solves to 1e-9
+             "step_error_m",               // of such, against steps a sixteenth as long or less
+             "iterations",                 // of a step, in the mean over the last ten
+             quartile_columns("cost_s")},  // CPU time of a step, over the same
             {{"part", "method", "side", "time_s", "newton_steps"},
              {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
             {{"tolerance", tolerance_cases, {{"solve_tolerance"}}},
