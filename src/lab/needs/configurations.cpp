@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "drape/base/input_error.h"
-#include "drape/base/output_file.h"
 #include "drape/scene/scene.h"
 
 namespace drape {
@@ -90,49 +89,13 @@ Settings computed_closely(Settings scene, double dt) {
     return scene;
 }
 
-namespace files = std::filesystem;
-
-namespace {
-
-/// A scene names its start state as seen from its own folder.
-std::string start_from(const files::path& file, const std::string& start) {
-    const auto true_path = [](const files::path& path) { return files::weakly_canonical(files::absolute(path)); };
-    return true_path(start).lexically_relative(true_path(files::absolute(file).parent_path())).string();
-}
-
-}  // namespace
-
-files::path file_of_scene(const std::string& name_or_path, const Settings& scene) {
-    const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(".toml");
-    const std::string file = is_path ? name_or_path : name_or_path + ".toml";
-    std::error_code ignored;
-    if (!is_path && files::exists(files::symlink_status(file, ignored))) {
-        throw InputError("--write: " + file + " is there already, and may be another scene: allowed ./" + file +
-                         ", to read and write that one, or another folder");
-    }
-    if (!scene.start.empty() && start_from(file, scene.start).starts_with("..")) {
-        throw InputError("--write: start = " + scene.start + ": allowed only a file in the folder of " + file +
-                         " or below, which that scene may name");
-    }
-    return file;
-}
-
-void write_scene(Settings scene, const Settings& full, const files::path& file) {
+std::string text_of_found(Settings scene, const Settings& full, const std::filesystem::path& file) {
     const ClothParameters& cloth = full.cloths[0];
     scene.needs.full = {cloth.particles, cloth.bend, cloth.drag};
-    if (!scene.start.empty()) scene.start = start_from(file, scene.start);
-    OutputFile out(file.string());
-    out.stream() << scene_text(scene);
-    const files::path target = link_target(file), kept = target.string() + "~";
-    if (files::exists(target)) {
-        std::error_code error;
-        if (files::is_symlink(kept)) files::remove(kept, error);
-        UnfinishedFile copy(kept);
-        if (!error) files::copy_file(target, copy.name(), files::copy_options::overwrite_existing, error);
-        if (error) throw RunError(kept.string() + ": cannot be written: " + error.message());
-        copy.finish();
-    }
-    out.close();
+    // A scene names its start state as seen from its own folder
+    if (!scene.start.empty())
+        scene.start = std::filesystem::relative(scene.start, absolute(file).parent_path()).string();
+    return scene_text(scene);
 }
 
 }  // namespace drape

@@ -3,13 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "drape/base/command_line.h"
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
 #include "drape/base/run_program.h"
 #include "drape/scene/setting_table.h"
 #include "drape/session/start.h"
@@ -20,7 +20,8 @@ namespace {
 
 struct NeedsOptions {
     StartOptions start;
-    bool write = false, check = false;
+    std::string write;
+    bool check = false;
 };
 
 std::string value(const Settings& settings, const std::string& name) {
@@ -99,7 +100,7 @@ int check_scene(const Needs& needs) {
     return Done;
 }
 
-int find(const Needs& needs, const std::optional<std::filesystem::path>& write_to) {
+int find(const Needs& needs, const std::string& file, OutputFile& out) {
     const Attempt found = search(needs, print);
     if (!found.qualifies()) {
         std::cout << "Nothing qualifies. The nearest miss is " << described(found.settings) << ": " << found.why
@@ -109,22 +110,24 @@ int find(const Needs& needs, const std::optional<std::filesystem::path>& write_t
     std::cout << fmt::format("The cheapest that qualifies is {}{}: {} ms of CPU time per simulated second{}.\n",
                              described(found.settings), hierarchy(found.settings), real_text(1e3 * found.cost, 3),
                              needs.states_error() ? ", error " + percent(found.error) : "");
-    if (write_to) {
-        write_scene(found.settings, needs.full(), *write_to);
-        std::cout << "Written to " << write_to->string() << ".\n";
+    if (out.wanted()) {
+        out.stream() << text_of_found(found.settings, needs.full(), file);
+        out.close();
+        std::cout << "Written to " << file << ".\n";
     }
     return Done;
 }
 
 int run(const NeedsOptions& options) {
-    const Settings scene = make_start(options.start).settings;
-    // Refused before the search, which takes minutes
-    std::optional<std::filesystem::path> write_to;
-    if (options.write) write_to = file_of_scene(options.start.scene, scene);
+    const Start start = make_start(options.start);
+    std::vector<NamedFile> files = input_files(options.start, start);
+    files.push_back({"--write", options.write});
+    check_apart(files);
+    OutputFile out(options.write);
     try {
-        const Needs needs(scene);
+        const Needs needs(start.settings);
         print_head(needs);
-        return options.check ? check_scene(needs) : find(needs, write_to);
+        return options.check ? check_scene(needs) : find(needs, options.write, out);
     } catch (const InputError& error) {
         throw InputError(options.start.scene + ": " + error.what());
     }
@@ -139,9 +142,8 @@ void add_needs(CommandLine& line, int& exit_code) {
                      [options, &exit_code] { exit_code = run(*options); });
     command.option("scene", options->start.scene, "name of a shipped scene, or a TOML file", {"SCENE", true});
     command.option("--set", options->start.assignments, "change settings", {"name=value"});
-    command.flag("--write", options->write,
-                 "write what was found to the scene's file, which stays as NAME.toml~, or to a new NAME.toml in the "
-                 "current folder for a shipped scene's name; comments go, and what --set has changed is written too");
+    command.option("--write", options->write, "write the scene that was found, with what --set has changed",
+                   {"FILE.toml"});
     command.flag("--check", options->check,
                  "only whether the scene is minimal: what one notch less on each free knob that has an order "
                  "(particles, bend, drag, dt, iterations) would break",

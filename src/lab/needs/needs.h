@@ -161,16 +161,9 @@ Attempt search(const Needs& needs, const Trail& trail);
 /// Tries a scene with one notch less of each of its free knobs that has an order. It is minimal if none qualifies.
 void try_notches(const Needs& needs, const std::function<void(Knob, const Attempt&)>& note);
 
-/// The file in which a scene is written back: its own, or NAME.toml in the current folder if it is a shipped one's
-/// name.
-/// @throws InputError if a shipped one's name is that of a file in the current folder, which is another scene, or if a
-///         scene in that file may not name the state from which this one starts
-std::filesystem::path file_of_scene(const std::string& name_or_path, const Settings& scene);
-
-/// Writes a scene file whole or not at all: under another name, which then becomes its own. A file that was there stays
-/// as NAME.toml~, and hands on its permissions; through a link, the file that it leads to is written.
+/// A scene as the text of a file.
 /// @param full is said in `needs.full`, so that the scene can be found again
-/// @throws RunError if it cannot be written
-void write_scene(Settings scene, const Settings& full, const std::filesystem::path& file);
+/// @param file that it is for
+std::string text_of_found(Settings scene, const Settings& full, const std::filesystem::path& file);
 
 }  // namespace drape
