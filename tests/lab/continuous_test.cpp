@@ -33,8 +33,6 @@ TEST(LabContinuous, TellsMissesAndTimes) {
     ASSERT_EQ(run.code, 0) << run.err;
     const auto rows = table_of(folder, "out/continuous.csv");
     ASSERT_EQ(rows.size(), 13u) << "a header, four speeds at two targets, and two cloths by two detections";
-    EXPECT_THAT(run.out, HasSubstr("misses, point, q 0.5: 1 row, discrete_missed 0.08"));
-    EXPECT_THAT(run.out, HasSubstr("time, continuous, particles 1024: 1 row, build_s "));
     if (run.has_no_gnuplot()) GTEST_SKIP() << "there is no gnuplot";
     EXPECT_THAT(folder.read("out/continuous_misses.svg"), HasSubstr("</svg>"));
     EXPECT_THAT(folder.read("out/continuous_time.svg"), HasSubstr("</svg>"));

@@ -27,6 +27,7 @@ TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     const LabRun first = run_some(folder, {"--out", "whole"});
     ASSERT_EQ(first.code, 0) << first.err;
     EXPECT_THAT(first.err, HasSubstr("no gnuplot"));
+    EXPECT_EQ(first.out, "whole/index.html\n");
     EXPECT_THAT(folder.read("whole/index.html"), testing::Not(HasSubstr("<img")));
     const std::string whole = folder.read("whole/stability.csv");
     // Cut off within the last row of a case

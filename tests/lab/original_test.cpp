@@ -70,8 +70,6 @@ TEST(LongLabOriginal, LeavesCellsEmptyAndSaysSoWithoutAProgramToDraw) {
     const auto rows = table_of(folder, "out/original.csv");
     ASSERT_EQ(rows.size(), 9u) << "a header and four ways in two cases";
     for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_THAT(rows[k], HasSubstr(",,,,,"));
-    EXPECT_THAT(run.out, HasSubstr("sphere, bounds_drawn 0: 2 rows, execution_s "));
-    EXPECT_THAT(run.out, Not(HasSubstr("rate_per_s")));
 }
 
 }  // namespace

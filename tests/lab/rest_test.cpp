@@ -58,15 +58,12 @@ TEST(LongDriftCase, IsHowFarTheFarthestParticleWasFromWhereItRested) {
 
 TEST(LabRest, WritesARowACase) {
     const LabFolder folder;
-    const std::tuple<const char*, const char*, const char*> cases[]{
-        {"2-2", "rest, drop, projection, symplectic_euler, asleep: 1 row, step_s 0.000313, asleep_s ",
-         "2,rest,drop,projection,symplectic_euler,0.000313,asleep,"},
-        {"22-22", "drift, drop, projection, velocity_verlet, awake: 1 row, step_s 0.000313, ",
-         "22,drift,drop,projection,velocity_verlet,0.000313,awake,nan,nan,"}};
-    for (const auto& [number, said, row] : cases) {
+    const std::pair<const char*, const char*> cases[]{
+        {"2-2", "2,rest,drop,projection,symplectic_euler,0.000313,asleep,"},
+        {"22-22", "22,drift,drop,projection,velocity_verlet,0.000313,awake,nan,nan,"}};
+    for (const auto& [number, row] : cases) {
         const LabRun run = folder.run({"rest", "--quick", "--cases", number, "--out", number});
         ASSERT_EQ(run.code, 0) << run.err;
-        EXPECT_THAT(run.out, HasSubstr(said));
         const auto rows = table_of(folder, std::string(number) + "/rest.csv");
         ASSERT_EQ(rows.size(), 2u);
         EXPECT_THAT(rows[1], HasSubstr(row));

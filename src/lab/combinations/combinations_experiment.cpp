@@ -144,7 +144,6 @@ Experiment combinations_experiment() {
              "energy_gain_m",  // largest rise above the least so far: the height by which it would lift
              "speed_m_per_s",  // RMS at the end
              "flaw"},
-            {{"integrator", "flaw"}, {"trees", "step_s", "penetration_m", "energy_gain_m", "speed_m_per_s"}},
             {{"", combination_cases, {}}}};
 }
 

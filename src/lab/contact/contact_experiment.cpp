@@ -216,8 +216,6 @@ Experiment contact_experiment() {
              "momentum_error", "passed", "false_contacts",
              quartile_columns("cpu_s_per_s"),  // time for a simulated second
              "reference_triangles", "reference_penetration_m"},
-            {{"search", "tests", "speed_m_per_s", "passed"},
-             {"step_s", "missed_contacts", "left_m", "momentum_error", "cpu_s_per_s"}},
             {{"", contact_cases, {{"contact"}}}}};
 }
 

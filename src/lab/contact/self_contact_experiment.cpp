@@ -200,8 +200,6 @@ Experiment self_contact_experiment() {
             {"thickness_m", "step_s", "fail_safe", "crossings", "crossed_steps", "unsearched_steps", "unsafe_steps",
              "penetration_m", "momentum_error", "momentum_change", "pair_tests", "held_back", "rejected",
              quartile_columns("cpu_s_per_s")},  // time for a simulated second
-            {{"thickness_m", "step_s", "fail_safe"},
-             {"crossed_steps", "unsearched_steps", "penetration_m", "momentum_error", "cpu_s_per_s"}},
             {{"", self_contact_cases, {{"self_contact"}}}}};
 }
 

@@ -187,8 +187,6 @@ Experiment continuous_experiment() {
              "shots",
              "discrete_missed",  // part of the shots
              "continuous_missed", "predicted", "particles", quartile_columns("build_s"), quartile_columns("search_s")},
-            {{"part", "target", "detection", "q", "particles"},
-             {"discrete_missed", "predicted", "continuous_missed", "build_s", "search_s"}},
             {{"misses", miss_cases, {{"continuous_misses"}}}, {"time", time_cases, {{"continuous_time"}}}}};
 }
 

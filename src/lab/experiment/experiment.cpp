@@ -1,7 +1,5 @@
 #include "experiment.h"
 
-#include <fmt/ranges.h>
-
 #include <cmath>
 
 #include "drape/base/input_error.h"
@@ -13,30 +11,6 @@ namespace {
 /// The name of a quartile's column beside that of its median: NAME_lower_UNIT.
 std::string quartile_name(const std::string& column, const char* mark) {
     return std::string(column).insert(column.find('_'), mark);
-}
-
-/// Words stand for themselves but for "none", numbers with the names of their columns.
-std::string label_of(const Summary& summary, const Row& row) {
-    std::vector<std::string> parts;
-    for (const std::string& column : summary.by) {
-        const std::string cell = row.word(column);
-        const auto number = parse_real(cell);
-        if (cell.empty() || cell == "none" || (number && std::isnan(*number))) continue;
-        parts.push_back(number ? column + " " + cell : cell);
-    }
-    return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-/// "step_s 0.001 to 0.05", after a comma; empty if no row has a number there.
-std::string range_of(const Rows& rows, const std::string& column) {
-    std::vector<double> numbers;
-    for (const Row& row : rows) {
-        if (!std::isnan(row.number(column))) numbers.push_back(row.number(column));
-    }
-    if (numbers.empty()) return "";
-    const auto [least, most] = std::ranges::minmax(numbers);
-    const std::string text = ", " + column + " " + real_text(least, 3);
-    return least == most ? text : text + " to " + real_text(most, 3);
 }
 
 }  // namespace
@@ -130,24 +104,6 @@ std::vector<Chart> Experiment::charts(const Rows& rows) const {
         }
     }
     return all;
-}
-
-std::string summary_of(const Experiment& experiment, const Rows& rows) {
-    std::vector<std::string> names;
-    std::map<std::string, Rows> groups;
-    for (const Row& row : rows) {
-        const std::string name = label_of(experiment.summary, row);
-        if (!groups.contains(name)) names.push_back(name);
-        groups[name].push_back(row);
-    }
-    std::string text;
-    for (const std::string& name : names) {
-        const Rows& group = groups.at(name);
-        text += fmt::format("{}: {} row{}", name, group.size(), group.size() == 1 ? "" : "s");
-        for (const std::string& column : experiment.summary.of) text += range_of(group, column);
-        text += "\n";
-    }
-    return text;
 }
 
 }  // namespace drape

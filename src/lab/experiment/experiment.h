@@ -120,19 +120,12 @@ struct ExperimentPart {
     std::string charts_by = {};
 };
 
-/// What is printed of a table at its end, by the names of columns: a line for each choice of cells in some of them,
-/// with the range of the numbers that its rows have in others.
-struct Summary {
-    std::vector<std::string> by, of;
-};
-
 /// A question that is answered by a table: a list of independent cases, and charts of what they found.
 struct Experiment {
     std::string name;
     std::string question;
     int digits;  ///< that the table has of a number that is not a whole one
     Columns columns;
-    Summary summary;
     std::vector<ExperimentPart> parts;
 
     /// Those of all parts.
@@ -142,11 +135,6 @@ struct Experiment {
     /// @param rows with a cell in every column
     [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };
-
-/// "rk4, damping, agrees: 28 rows, measured_step_s 0.0012 to 0.0031", line by line, in the order in which they come.
-/// Numbers that there are not are left out.
-/// @param rows with a cell in every column
-std::string summary_of(const Experiment& experiment, const Rows& rows);
 
 /// A case for each choice of one value from every list; those of the last list change fastest.
 /// @param run(values...) gives the rows

@@ -97,9 +97,9 @@ private:
 /// Under which a table is written until it is finished.
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
 
-/// Shows a finished table: prints the summary, draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which
-/// stays there for who wants to change it, and writes index.html, which opens from disk and needs nothing but these.
-/// Says which charts had nothing to draw, unless the table has only some of the cases.
+/// Shows a finished table: draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which stays there for who
+/// wants to change it, and writes index.html, which opens from disk and needs nothing but these. Prints where that is,
+/// and says which charts had nothing to draw, unless the table has only some of the cases.
 /// @throws RunError if a file cannot be read or written, or gnuplot fails
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 

@@ -91,18 +91,20 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     return figures;
 }
 
-/// Question, charts with captions, what was found, and where it is from.
+/// Question, charts with captions, and where it is from.
 void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
-                       const std::string& summary, const std::filesystem::path& table) {
+                       const std::filesystem::path& table) {
     std::string origin;
     for (const char* line : head_lines) {
         origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
     }
-    const std::map<std::string, std::string> parts{
-        {"name", experiment.name}, {"question", escaped(experiment.question)},
-        {"figures", figures},      {"summary", escaped(summary)},
-        {"origin", origin},        {"table", escaped(table.filename().string())}};
-    OutputFile file((table.parent_path() / "index.html").string());
+    const std::map<std::string, std::string> parts{{"name", experiment.name},
+                                                   {"question", escaped(experiment.question)},
+                                                   {"figures", figures},
+                                                   {"origin", origin},
+                                                   {"table", escaped(table.filename().string())}};
+    const std::string name = (table.parent_path() / "index.html").string();
+    OutputFile file(name);
     std::istringstream page(chart_file("page.html"));
     // The name of a part stands between two '$'
     for (std::string text, part; std::getline(page, text, '$');) {
@@ -112,6 +114,7 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
         file.stream() << parts.at(part);
     }
     file.close();
+    std::cout << name << "\n";
 }
 
 }  // namespace
@@ -125,11 +128,8 @@ std::string assignments_of(const Chart& chart) {
 }
 
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
-    const auto rows = table.rows();
-    const std::string summary = summary_of(experiment, rows);
-    std::cout << summary;
     const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
-    write_report_page(experiment, table.head, figures_of(experiment.charts(rows), file, all), summary, file);
+    write_report_page(experiment, table.head, figures_of(experiment.charts(table.rows()), file, all), file);
 }
 
 }  // namespace drape

@@ -328,8 +328,6 @@ Experiment hierarchy_experiment() {
              "missed_penetration_m",  // largest
              "false_contacts",        // a step
              "distance_m"},           // RMS of the particles from those of the full search, at the end
-            {{"part", "scene", "particles", "volume"},
-             {"whole_s", "false_per_true", "tightness", "missed_penetration_m", "cumulative_s_over_rebuild_s"}},
             {{"fit",
               fits,
               {{"hierarchy_fit"},

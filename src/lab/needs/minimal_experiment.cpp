@@ -108,8 +108,6 @@ Experiment minimal_experiment() {
              "cost_s_per_s",  // CPU time of a simulated second
              "moved",         // in `budget`: from the motion of the scene, of the cloth's side
              "outcome"},
-            {{"part", "scene", "changed", "integrator", "outcome"},
-             {"particles_x", "step_s", "error", "miss", "cost_s_per_s", "moved"}},
             {{"ladder", cases_of(run_ladder, searched), {{"minimal"}}, "scene"},
              {"notches", cases_of(run_notches, scenes_with_needs()), {}},
              {"budget", cases_of(run_budget, searched), {{"minimal_budget"}}}}};

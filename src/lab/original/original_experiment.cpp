@@ -157,9 +157,6 @@ Experiment original_experiment() {
              Column{"cpu", ""},  // processor time over wall time: more than 1 where several threads draw
              Column{"vertices", ""}, "build_s", "search_s", "exact_s", "candidates", "single_build_s",
              "single_search_s", "single_exact_s", "single_candidates"},
-            {{"volume", "bounds_drawn"},
-             {"execution_s", "rate_per_s", "gl_calls", "cpu", "vertices", "build_s", "search_s", "single_build_s",
-              "single_search_s"}},
             {{"", original_cases, {{"original"}}}}};
 }
 

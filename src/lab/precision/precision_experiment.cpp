@@ -282,7 +282,6 @@ Experiment precision_experiment() {
              "steps", "step_s", "end", "measure", "error", "cost_lower_s_per_s",
              "cost_s_per_s",                                      // CPU time of a simulated second
              "cost_upper_s_per_s", "reference_error", "growth"},  // of a small error
-            {{"scene", "method", "end"}, {"step_s", "error", "cost_s_per_s", "reference_error", "growth"}},
             {{"",
               precision_cases,
               {{.name = "precision", .complete = complete_diagram}, {.name = "precision_choice"}},

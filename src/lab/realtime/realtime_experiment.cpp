@@ -144,7 +144,6 @@ Experiment realtime_experiment() {
              "stretch_excess",  // 99th percentile at the end, over the converged cloth's
              "error",           // largest distance from that at any moment, of the side
              "end"},
-            {{"motion", "threads", "method", "end"}, {"side", "error", "stretch_excess", "wall_s_per_s"}},
             {{"", realtime_cases, {{"realtime"}}, "motion"}}};
 }
 

@@ -139,8 +139,6 @@ Experiment responses_experiment() {
              quartile_columns("respond_s"),
              "stiffness_N_per_m",  // of a penalty
              "restitution", "predicted_step_s", "measured_step_s"},
-            {{"part", "response", "step_s", "stiffness_N_per_m", "restitution"},
-             {"impact_error_s", "height_error", "drift_m_per_s", "predicted_step_s", "measured_step_s"}},
             {{"step", step_cases, {{"responses"}}}, {"limit", limit_cases, {{"responses_limit"}}}}};
 }
 

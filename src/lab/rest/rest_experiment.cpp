@@ -141,8 +141,6 @@ Experiment rest_experiment() {
             3,
             {"part", "scene", "response", "integrator", "step_s", "end", "asleep_s", "speed_before_m_per_s",
              "speed_after_m_per_s", "watched_s", "drift_m"},
-            {{"part", "scene", "response", "integrator", "end"},
-             {"step_s", "asleep_s", "speed_before_m_per_s", "speed_after_m_per_s", "watched_s", "drift_m"}},
             {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
 }
 

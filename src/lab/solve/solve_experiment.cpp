@@ -111,8 +111,6 @@ Experiment solve_experiment() {
              "step_error_m",               // of such, against steps a sixteenth as long or less
              "iterations",                 // of a step, in the mean over the last ten
              quartile_columns("cost_s")},  // CPU time of a step, over the same
-            {{"part", "method", "side", "time_s", "newton_steps"},
-             {"tolerance", "step_s", "iterations", "cost_s", "solver_error_m", "step_error_m"}},
             {{"tolerance", tolerance_cases, {{"solve_tolerance"}}},
              {"newton", newton_cases, {{"solve_newton"}}},
              {"size", size_cases, {{"solve_size"}}}}};

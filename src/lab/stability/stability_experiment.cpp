@@ -122,7 +122,6 @@ Experiment stability_experiment() {
              "expected_step_s",   // where trials should start to fail
              "measured_step_s",   // where they did
              "step_s", "end", "agreement"},
-            {{"method", "sweep", "agreement"}, {"expected_step_s", "measured_step_s"}},
             {{"", stability_cases, {{"stability"}}, "method"}}};
 }
 

@@ -81,7 +81,6 @@ Experiment steps_experiment() {
              "stretch_excess",   // of the largest, over the converged sheet's
              "step_over_limit",  // as predicted
              "cost_s_per_s", "end"},
-            {{"method", "end"}, {"step_s", "error", "stretch_excess", "cost_s_per_s"}},
             {{"", steps_cases, {{"steps"}}}}};
 }
 
