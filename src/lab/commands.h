@@ -30,7 +30,7 @@ void add_needs(CommandLine& line, int& exit_code);
 
 // Of these the experiments outlive the parsing of the command line.
 
-/// A subcommand for each experiment, which writes NAME.csv, index.html and, where there is gnuplot, the charts.
+/// A subcommand for each experiment, which writes NAME.csv, NAME.html and, where there is gnuplot, the charts.
 void add_experiments(CommandLine& line, std::span<const Experiment> experiments);
 
 /// `merge`: joins the tables of shares into that of a single run.

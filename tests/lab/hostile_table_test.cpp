@@ -74,7 +74,7 @@ TEST(HostileTable, RunsNothingThroughMerge) {
     folder.write("in/stability.csv",
                  whole.substr(0, machine) + "<script>\"&" + whole.substr(whole.find('\n', machine)));
     ASSERT_EQ(folder.run({"merge", "in"}).code, 0);
-    const std::string page = folder.read("merged/index.html");
+    const std::string page = folder.read("merged/stability.html");
     EXPECT_THAT(page, HasSubstr("<dd>&lt;script&gt;&quot;&amp;</dd>"));
     EXPECT_THAT(page, testing::Not(HasSubstr("<script>")));
 }

@@ -205,15 +205,6 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, const st
     return read_table(experiment, in, file.string(), unfinished);
 }
 
-std::optional<TableHead> read_head(const std::filesystem::path& file) try {
-    if (!exists(file)) return {};
-    InputFile in(file.string(), largest_table, InputKind::Regular);
-    const std::string name = file.string();
-    return TableLines(in, name, true).read_head();
-} catch (const InputError&) {
-    return {};
-}
-
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
 TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)

@@ -66,10 +66,6 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
 std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
                                           bool unfinished);
 
-/// The head of a table whose rows are not looked at.
-/// @return nothing if there is no such file, or it does not begin with a head
-std::optional<TableHead> read_head(const std::filesystem::path& file);
-
 /// Writes a table case by case, under a name that says that it is not finished until it is.
 class TableWriter {
 public:
@@ -98,7 +94,7 @@ private:
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
 
 /// Shows a finished table: draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which stays there for who
-/// wants to change it, and writes index.html, which opens from disk and needs nothing but these. Prints where that is,
+/// wants to change it, and writes NAME.html, which opens from disk and needs nothing but these. Prints where that is,
 /// and says which charts had nothing to draw, unless the table has only some of the cases.
 /// @throws RunError if a file cannot be read or written, or gnuplot fails
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);

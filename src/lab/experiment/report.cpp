@@ -103,7 +103,7 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
                                                    {"figures", figures},
                                                    {"origin", origin},
                                                    {"table", escaped(table.filename().string())}};
-    const std::string name = (table.parent_path() / "index.html").string();
+    const std::string name = std::filesystem::path(table).replace_extension(".html").string();
     OutputFile file(name);
     std::istringstream page(chart_file("page.html"));
     // The name of a part stands between two '$'

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <set>
 
@@ -32,14 +31,6 @@ std::filesystem::path folder_of(const Experiment& experiment, const RunOptions& 
     if (!options.selection.share.empty()) name += "-" + options.selection.share;
     std::replace(name.begin(), name.end(), '/', '-');
     return name;
-}
-
-/// One page and one table a folder.
-void check_alone(const Experiment& experiment, std::span<const Experiment> all, const std::filesystem::path& folder) {
-    for (const Experiment& other : all) {
-        if (other.name == experiment.name || !exists(folder / (other.name + ".csv"))) continue;
-        throw InputError(folder.string() + " has the table of " + other.name + ": name another folder by --out");
-    }
 }
 
 /// What an interrupted run of the same program, machine and settings has left, or an empty table.
@@ -75,30 +66,34 @@ void compute(const Experiment& experiment, const ExperimentCases& cases, const s
          real_text(watch.seconds(), 3) + " s");
 }
 
-ExperimentTable finished(const Experiment& experiment, const std::filesystem::path& file) try {
-    return read_table(experiment, file, false).value();
+/// The finished table of the same program, machine and settings; a table of anything else is none of ours.
+std::optional<ExperimentTable> finished(const Experiment& experiment, const TableHead& head,
+                                        const std::filesystem::path& file) try {
+    auto table = read_table(experiment, file, false);
+    if (table && !difference(table->head, head, {"date"}).empty()) table.reset();
+    return table;
 } catch (const InputError& error) {
     throw InputError(error.what(), "--again computes it once more, and keeps this one under another name");
 }
 
-void run(const Experiment& experiment, std::span<const Experiment> all, const RunOptions& options) {
+void run(const Experiment& experiment, const RunOptions& options) {
     const auto cases = experiment.cases(options.selection.quick);
     const auto wanted = options.selection.numbers(cases.size());
     const std::filesystem::path folder = folder_of(experiment, options);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    check_alone(experiment, all, folder);
     const auto file = folder / (experiment.name + ".csv");
     const UnfinishedFile lock(file.string() + ".lock");
     const TableHead head = head_of(experiment, options.selection, cases.size());
-    // The finished table of the same program, machine and settings is used; anything else is none of ours
-    const auto there = read_head(file);
-    const bool is_done =
-        !options.again && !exists(unfinished_name(file)) && there && difference(*there, head, {"date"}).empty();
-    if (!is_done) compute(experiment, cases, wanted, head, file);
-    const ExperimentTable table = finished(experiment, file);
-    if (is_done) tell(file.string() + ": all cases are there already; --again computes them once more");
-    present(experiment, table, file);
+    std::optional<ExperimentTable> table;
+    if (!options.again && !exists(unfinished_name(file))) table = finished(experiment, head, file);
+    if (table) {
+        tell(file.string() + ": all cases are there already; --again computes them once more");
+    } else {
+        compute(experiment, cases, wanted, head, file);
+        table = read_table(experiment, file, false);
+    }
+    present(experiment, *table, file);
 }
 
 struct MergeOptions {
@@ -148,27 +143,24 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
 }
 
 void merge(std::span<const Experiment> experiments, const MergeOptions& options) {
-    std::map<const Experiment*, ExperimentTable> found;
+    bool any = false;
     for (const Experiment& experiment : experiments) {
-        if (auto table = joined(experiment, options.folders)) found[&experiment] = std::move(*table);
-    }
-    if (found.empty()) throw InputError("there is no table of an experiment in " + options.folders.front());
-    for (const auto& [of, table] : found) {
-        const Experiment& experiment = *of;
-        // A folder has one page
-        const std::filesystem::path out = options.out, folder = found.size() == 1 ? out : out / experiment.name;
+        const auto table = joined(experiment, options.folders);
+        if (!table) continue;
+        any = true;
+        const std::filesystem::path folder = options.out, file = folder / (experiment.name + ".csv");
         std::error_code error;
         std::filesystem::create_directories(folder, error);
-        const auto file = folder / (experiment.name + ".csv");
         const UnfinishedFile lock(file.string() + ".lock");
         if (exists(unfinished_name(file))) {
             throw InputError(unfinished_name(file).string() +
                              ": an unfinished run is there; name another folder by --out");
         }
-        TableWriter(experiment, file, table).finish();
-        tell(file.string() + ": " + std::to_string(table.cases.size()) + " cases");
-        present(experiment, table, file);
+        TableWriter(experiment, file, *table).finish();
+        tell(file.string() + ": " + std::to_string(table->cases.size()) + " cases");
+        present(experiment, *table, file);
     }
+    if (!any) throw InputError("there is no table of an experiment in " + options.folders.front());
 }
 
 }  // namespace
@@ -176,9 +168,8 @@ void merge(std::span<const Experiment> experiments, const MergeOptions& options)
 void add_experiments(CommandLine& line, std::span<const Experiment> experiments) {
     for (const Experiment& experiment : experiments) {
         auto options = std::make_shared<RunOptions>();
-        CommandLine& command =
-            line.command(experiment.name, "Experiment: " + experiment.question,
-                         [&experiment, experiments, options] { run(experiment, experiments, *options); });
+        CommandLine& command = line.command(experiment.name, "Experiment: " + experiment.question,
+                                            [&experiment, options] { run(experiment, *options); });
         command.option("--out", options->folder,
                        "folder for table, charts and page; NAME, or NAME-K-N for a share, if not given", {"DIR"});
         command.flag("--quick", options->selection.quick, "fewer and smaller cases");
@@ -195,10 +186,7 @@ void add_merge(CommandLine& line, std::span<const Experiment> experiments) {
     CommandLine& command = line.command("merge", "Joins the tables of shares, and draws their charts",
                                         [experiments, options] { merge(experiments, *options); });
     command.option("folders", options->folders, "folders that --share runs have written", {"DIR...", true});
-    command.option("--out", options->out,
-                   "folder for table, charts and page, or for a folder an experiment where there are several; "
-                   "'merged' if not given",
-                   {"DIR"});
+    command.option("--out", options->out, "folder for table, charts and page; 'merged' if not given", {"DIR"});
 }
 
 }  // namespace drape
