@@ -153,7 +153,7 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     EXPECT_THAT(folder.read("out/hierarchy_fit.svg"), HasSubstr("</svg>"));
     EXPECT_FALSE(folder.has("out/hierarchy_size.svg"));
     const std::string page = folder.read("out/hierarchy.html");
-    EXPECT_THAT(page, HasSubstr("hierarchy_spheres.svg"));
+    EXPECT_THAT(page, HasSubstr("hierarchy_fit.svg"));
     EXPECT_THAT(page, Not(HasSubstr("hierarchy_storage.svg"))) << "nothing of it is in the share";
 }
 
