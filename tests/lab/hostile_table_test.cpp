@@ -1,11 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
-#include "drape/base/input_error.h"
-#include "lab/experiment/experiment.h"
 #include "lab/lab_run.h"
 
 namespace drape {
@@ -15,22 +12,6 @@ using test::LabFolder;
 using test::LabRun;
 using testing::AllOf;
 using testing::HasSubstr;
-
-TEST(ChartValues, AreFiniteNumbersAndWordsAndNothingThatGnuplotCouldRun) {
-    const auto told = [](const std::string& name, const Chart::Value& value) {
-        return assignments_of({.name = "x", .values = {{name, value}}});
-    };
-    EXPECT_EQ(told("scenes", "drop two_corners"), "scenes = 'drop two_corners'\n");
-    EXPECT_EQ(told("builds", "obb:merge:-0.5 a:b:1e+06"), "builds = 'obb:merge:-0.5 a:b:1e+06'\n");
-    EXPECT_EQ(told("interval", 0.0625), "interval = 0.0625\n");
-    for (const char* hostile : {"`touch x`", "it's", "a\"", "$b", "@b", "a\nb", "system('b')", "\\", "|sh", "<sh"}) {
-        EXPECT_THROW(static_cast<void>(told("scenes", hostile)), RunError) << hostile;
-        EXPECT_THROW(static_cast<void>(told(hostile, 1.)), RunError) << hostile;
-    }
-    EXPECT_THROW(static_cast<void>(told("", 1.)), RunError);
-    EXPECT_THROW(static_cast<void>(told("x", std::nan(""))), RunError);
-    EXPECT_THROW(static_cast<void>(told("x", HUGE_VAL)), RunError);
-}
 
 /// Whether a payload that makes a file of this name anywhere below has run.
 bool has_marker(const LabFolder& folder) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drape/base/numbers.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
 #include "lab/measure/methods.h"
@@ -156,7 +157,7 @@ TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarseOrWhereSmallErrorsG
     const auto rows = verlet_rows(reference);
     const std::vector<Chart> charts = precision_experiment().charts(rows);
     EXPECT_THAT(charts, SizeIs(2)) << "of all methods, and of six";
-    EXPECT_NEAR(std::get<double>(charts.front().values.at("order_velocity_verlet")), 2, 0.1);
+    EXPECT_NEAR(parse_real(charts.front().values.at("order_velocity_verlet")).value(), 2, 0.1);
 
     const auto refusal = [](const Rows& refused) {
         return test::run_error_of([&] { (void)precision_experiment().charts(refused); });

@@ -97,7 +97,7 @@ std::vector<Chart> Experiment::charts(const Rows& rows) const {
         for (const std::string& word : words_of(own, part.charts_by)) {
             for (Chart chart : part.charts) {
                 chart.script = std::exchange(chart.name, chart.name + "_" + word);
-                chart.values[part.charts_by] = word;
+                chart.values[part.charts_by] = quoted(word);
                 if (chart.complete) chart.complete(chart, rows_with(own, part.charts_by, word));
                 all.push_back(chart);
             }

@@ -88,21 +88,16 @@ std::vector<std::string> words_of(const Rows& rows, const std::string& column);
 
 /// A picture of a table, drawn by gnuplot from an installed script.
 struct Chart {
-    /// A number, or words. No other text becomes part of a gnuplot program.
-    using Value = std::variant<double, std::string>;
-
-    std::string name;                          ///< of the files, without what follows the dot: letters, digits and '_'
-    std::map<std::string, Value> values = {};  ///< variables of the script; `table` and `name` are always there
-    std::string script = {};                   ///< charts/SCRIPT.gp; empty: that of the chart's name
-    std::string caption = {};                  ///< under the picture, after what the script's head says of it
+    std::string name;  ///< of the files, without what follows the dot: letters, digits and '_'
+    std::map<std::string, std::string> values = {};  ///< variables of the script; `table` and `name` are always there
+    std::string script = {};                         ///< charts/SCRIPT.gp; empty: that of the chart's name
+    std::string caption = {};                        ///< under the picture, after what the script's head says of it
     /// Adds values and a caption that follow from the rows of its word, where `charts_by` draws a chart for each word.
     std::function<void(Chart&, const Rows& rows)> complete = {};
 };
 
-/// The values of a chart as gnuplot commands: plain variables, finite numbers, and texts of letters, digits and
-/// " _:.+-" in single quotes.
-/// @throws RunError if there is any other
-std::string assignments_of(const Chart& chart);
+/// Words as a value of a chart. What a table was read with is none but such.
+inline std::string quoted(const std::string& words) { return "'" + words + "'"; }
 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <sstream>
@@ -16,21 +15,6 @@
 
 namespace drape {
 namespace {
-
-/// A text that has only letters, digits and some other characters, and has any: nothing that gnuplot or a shell would
-/// run.
-std::string checked(const std::string& text, const std::string& others = "") {
-    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_" + others;
-    if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-    throw RunError("invalid characters in a chart's text: '" + shortened(text) + "'");
-}
-
-std::string text_of(double number) {
-    if (!std::isfinite(number)) throw RunError("a chart's script may not be told a number that is not finite");
-    return real_text(number);
-}
-
-std::string text_of(const std::string& words) { return "'" + checked(words, " :.+-") + "'"; }
 
 /// A shipped file of the charts: a script, or the page.
 std::string chart_file(const std::string& name) { return read_text(find_resource("charts/" + name).string()); }
@@ -66,12 +50,13 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     const std::filesystem::path folder = table.has_parent_path() ? table.parent_path() : ".";
     std::string figures;
     for (Chart chart : charts) {
-        const std::string name = checked(chart.name), script = name + ".gnuplot";
-        chart.values.insert({{"name", name}, {"table", table.filename().string()}});
+        const std::string name = chart.name, script = name + ".gnuplot";
+        chart.values.insert({{"name", quoted(name)}, {"table", quoted(table.filename().string())}});
         const std::string own_name = chart.script.empty() ? name : chart.script, own = chart_file(own_name + ".gp");
         OutputFile file((folder / script).string());
-        file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n"
-                      << assignments_of(chart) << '\n'
+        file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n";
+        for (const auto& [variable, value] : chart.values) file.stream() << variable << " = " << value << "\n";
+        file.stream() << '\n'
                       << chart_file("common.gp") << '\n'
                       << own << "\nunset output\nif (kind eq 'svg') { kind = 'png'; load '" << script << "' }\n";
         file.close();
@@ -118,14 +103,6 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
 }
 
 }  // namespace
-
-std::string assignments_of(const Chart& chart) {
-    std::string text;
-    for (const auto& [name, value] : chart.values) {
-        text += checked(name) + " = " + std::visit([](const auto& some) { return text_of(some); }, value) + "\n";
-    }
-    return text;
-}
 
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share

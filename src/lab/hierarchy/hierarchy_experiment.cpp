@@ -332,7 +332,7 @@ Experiment hierarchy_experiment() {
               fits,
               {{"hierarchy_fit"},
                {.name = "hierarchy_fit_128", .script = "hierarchy_fit"},
-               {.name = "hierarchy_storage", .values = {{"bytes", bytes_of_nodes()}}}}},
+               {.name = "hierarchy_storage", .values = {{"bytes", quoted(bytes_of_nodes())}}}}},
              {"level", levels, {{"hierarchy_level"}}, "scene"},
              {"budget", budgets, {{"hierarchy_budget"}}},
              {"break_even", break_evens, {{"hierarchy_break_even"}}, "scene"},

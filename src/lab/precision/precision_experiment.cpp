@@ -194,7 +194,8 @@ void complete_diagram(Chart& diagram, const Rows& rows) {
     }
     diagram.caption = caption_of(points.front());
     for (const std::string& method : words_of(own, "method")) {
-        if (const auto order = order_of(rows_with(own, "method", method))) diagram.values["order_" + method] = *order;
+        if (const auto order = order_of(rows_with(own, "method", method)))
+            diagram.values["order_" + method] = real_text(*order);
     }
 }
 
