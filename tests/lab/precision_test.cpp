@@ -10,7 +10,6 @@
 #include "lab/measure/methods.h"
 #include "lab/measure/statistics.h"
 #include "lab/precision/precision.h"
-#include "support/input_errors.h"
 
 namespace drape {
 namespace {
@@ -152,20 +151,13 @@ Rows verlet_rows(const Reference& reference) {
     return rows;
 }
 
-TEST(Precision, RefusesToDrawAgainstAReferenceThatIsTooCoarseOrWhereSmallErrorsGrow) {
+TEST(Precision, TellsTheOrderOfAMethodAndWhatItsReferenceIsWorth) {
     const Reference reference = find_reference(soft());
     const auto rows = verlet_rows(reference);
     const std::vector<Chart> charts = precision_experiment().charts(rows);
     EXPECT_THAT(charts, SizeIs(2)) << "of all methods, and of six";
     EXPECT_NEAR(parse_real(charts.front().values.at("order_velocity_verlet")).value(), 2, 0.1);
-
-    const auto refusal = [](const Rows& refused) {
-        return test::run_error_of([&] { (void)precision_experiment().charts(refused); });
-    };
-    const Reference coarse = find_reference(with_reference(soft(), Real(1e-4)));
-    EXPECT_THAT(refusal(verlet_rows({coarse.state, reference.growth, coarse.error})),
-                AllOf(HasSubstr("'soft'"), HasSubstr("times better"), HasSubstr("no chart")));
-    EXPECT_THAT(refusal(verlet_rows({reference.state, 51, reference.error})), HasSubstr("grow 51 times"));
+    EXPECT_THAT(charts.front().caption, HasSubstr("an error of 1e-09 m at the start grows"));
 }
 
 TEST(LabPrecision, WritesARowAStep) {

@@ -162,12 +162,7 @@ TEST(TableRow, HasWholeNumbersAsTheyAreAndDigitsOfOthersAndItsColumnsWordForNoth
 TEST(TableCheck, ChartsStandWhateverPassesTheCheck) {
     for (const Experiment& experiment : experiments()) {
         const Rows rows(3, good_row(experiment));
-        // That of precision refuses a reference that is worth nothing
-        try {
-            static_cast<void>(experiment.charts(rows));
-        } catch (const RunError& error) {
-            EXPECT_THAT(error.what(), HasSubstr("no chart is drawn"));
-        }
+        EXPECT_NO_THROW(static_cast<void>(experiment.charts(rows))) << experiment.name;
     }
 }
 

@@ -9,7 +9,6 @@
 #include <set>
 #include <span>
 
-#include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
 #include "drape/integrate/stability.h"
 #include "drape/integrate/stability_trial.h"
@@ -52,18 +51,10 @@ PrecisionScene dropped(bool quick) {
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
 }
 
-/// A reference must be this much better than the best point that is compared with it.
-constexpr double least_margin = 100;
-
-/// The number in a column of a row, to sort by.
-auto number_in(const char* column) {
-    return [column](const Row& row) { return row.number(column); };
-}
-
 /// Of the steps of a method that are shorter than any that was unstable.
 /// @param method its rows
 std::optional<double> order_of(Rows method) {
-    std::ranges::stable_sort(method, std::greater(), number_in("step_s"));
+    std::ranges::stable_sort(method, std::greater(), [](const Row& row) { return row.number("step_s"); });
     std::vector<std::pair<double, double>> errors;
     for (const Row& row : method) {
         if (row.word("end") != "bounded") {
@@ -165,8 +156,6 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
 
 /// Adds to a work-precision diagram the orders of its methods, and what its reference is worth.
 /// @param rows of its scene
-/// @throws RunError if small errors grow on the scene by more than `most_growth`, or its reference is not two decades
-///         better than the best point: nothing is drawn then
 void complete_diagram(Chart& diagram, const Rows& rows) {
     Rows own = rows;
     // They could not be drawn
@@ -177,25 +166,10 @@ void complete_diagram(Chart& diagram, const Rows& rows) {
     });
     const Rows points = rows_with(own, "end", "bounded");
     if (points.empty()) return;
-    const std::string scene = points.front().word("scene");
-    const double growth = points.front().number("growth");
-    if (!(growth <= most_growth)) {
-        throw RunError(fmt::format(
-            "precision: small errors grow {:.3g} times on the scene '{}', more than {:.3g}: no chart is drawn", growth,
-            scene, most_growth));
-    }
-    const double margin =
-        std::ranges::min(points, {}, number_in("error")).number("error") / points.front().number("reference_error");
-    if (!(margin >= least_margin)) {
-        throw RunError(
-            fmt::format("precision: the reference of the scene '{}' is only {:.3g} times better than "
-                        "the best point, less than {:.3g}: no chart is drawn",
-                        scene, margin, least_margin));
-    }
     diagram.caption = caption_of(points.front());
     for (const std::string& method : words_of(own, "method")) {
-        if (const auto order = order_of(rows_with(own, "method", method)))
-            diagram.values["order_" + method] = real_text(*order);
+        const auto order = order_of(rows_with(own, "method", method));
+        if (order) diagram.values["order_" + method] = real_text(*order);
     }
 }
 
