@@ -12,7 +12,6 @@
 #include "drape/base/numbers.h"
 #include "drape/contact/detection.h"
 #include "drape/scene/setting_table.h"
-#include "line_reader.h"
 
 namespace drape {
 namespace {
@@ -84,11 +83,17 @@ void collide(const CollideOptions& options) {
 
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
     Points x(grid.particles(), 3);
-    LineReader reader(in, file, longest_position_line);
+    std::string line;
     int row = 0;
-    for (; reader.next() != LineEnd::None; ++row) {
-        if (row == grid.particles()) reader.fail("more rows than the grid's {} particles", grid.particles());
-        const auto values = parse_numbers(reader.line(), 3, reader.where());
+    for (LineEnd end; (end = read_line(in, line, longest_position_line)) != LineEnd::None; ++row) {
+        const std::string where = fmt::format("{}:{}: ", file, row + 1);
+        if (end == LineEnd::TooLong) {
+            throw InputError(fmt::format("{}too long: allowed {} bytes in a line", where, longest_position_line));
+        }
+        if (row == grid.particles()) {
+            throw InputError(fmt::format("{}more rows than the grid's {} particles", where, row));
+        }
+        const auto values = parse_numbers(line, 3, where);
         for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
     }
     if (row < grid.particles()) {
