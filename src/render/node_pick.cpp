@@ -1,23 +1,10 @@
 #include "node_pick.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "overlay_style.h"
 
 namespace drape {
-
-namespace {
-
-// "3.2 cm"
-std::string length_text(Real length) {
-    const auto metres = static_cast<double>(length);
-    if (metres < 0.01) return format("%.1f mm", 1000 * metres);
-    return metres < 1 ? format("%.1f cm", 100 * metres) : format("%.2f m", metres);
-}
-
-}  // namespace
 
 std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, int x, int y, int width, int height) {
     if (x < 0 || y < 0 || x >= width || y >= height) return std::nullopt;
@@ -41,26 +28,11 @@ std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, i
     const CellRange& cells = pick.node.cells;
     const auto same = [&](const NodeView& node) { return static_cast<const CellRange&>(node.cells) == cells; };
     pick.number = static_cast<int>(std::ranges::find_if(nodes, same) - nodes.begin());
-    pick.gap = std::numeric_limits<Real>::infinity();
     const Real room = view.settings->contact.thickness + cloth.hierarchy->slack();
-    for (const Ball& ball : view.balls) {
-        pick.gap = std::min(pick.gap, gap_to_ball(pick.node.volume, grown(ball, room)));
-    }
+    pick.at_ball = std::ranges::any_of(view.balls, [&](const Ball& ball) {
+        return std::visit([&](const auto& volume) { return volume.overlaps(grown(ball, room)); }, pick.node.volume);
+    });
     return pick;
-}
-
-Real gap_to_ball(const AnyVolume& volume, const Ball& ball) {
-    const auto overlaps = [&](Real gap) {
-        return std::visit([&](const auto& v) { return v.overlaps(grown(ball, gap)); }, volume);
-    };
-    Real apart = -ball.radius, together = ball.radius;
-    if (overlaps(apart)) return apart;
-    while (!overlaps(together)) together *= 2;
-    for (int halving = 0; halving < 40; ++halving) {
-        const Real middle = (apart + together) / 2;
-        (overlaps(middle) ? together : apart) = middle;
-    }
-    return together;
 }
 
 std::string node_title(const NodePick& pick, const FrameView& view) {
@@ -72,9 +44,6 @@ std::string node_title(const NodePick& pick, const FrameView& view) {
 }
 
 std::string node_reason(const NodePick& pick, const FrameView& view) {
-    const bool has_ball = !view.balls.empty();
-    const std::string ball = view.balls.size() == 1 ? "the ball" : "the nearest ball";
-    const std::string length = length_text(std::abs(pick.gap));
     std::vector<NodeView> root;
     view.cloths[pick.cloth].hierarchy->nodes_at(0, root);
     if (root.front().visit == NodeVisit::Unvisited) return "not searched";
@@ -82,8 +51,7 @@ std::string node_reason(const NodePick& pick, const FrameView& view) {
         case NodeState::Unvisited:
             return "not visited: a node above it was pruned";
         case NodeState::Pruned:
-            if (!has_ball) return "pruned: no other cloth is near";
-            return "pruned: " + length + " beyond " + ball + (view.settings->contact.self ? ", and no cloth near" : "");
+            return std::string("pruned: no ") + (view.balls.empty() ? "other cloth" : "ball") + " overlaps it";
         case NodeState::Touching:
             return "touching: there are contacts in it";
         default:
@@ -91,8 +59,7 @@ std::string node_reason(const NodePick& pick, const FrameView& view) {
     }
     const std::string what = pick.state == NodeState::Visited ? "visited: " : "leaf, cells tested: ";
     const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
-    if (has_ball && pick.gap <= 0) return what + "overlaps " + ball + " by " + length + outcome;
-    return what + "cloth is near" + outcome;
+    return what + (pick.at_ball ? "a ball overlaps it" : "cloth is near") + outcome;
 }
 
 }  // namespace drape

@@ -14,7 +14,7 @@ struct NodePick {
     int number = 0;  ///< among the nodes of its level
     NodeView node;
     NodeState state{};
-    Real gap = 0;  ///< from its volume to the nearest ball, thickness and slack counted; less than 0: they overlap [m]
+    bool at_ball = false;  ///< a ball overlaps its volume, thickness and slack counted
 };
 
 /// Finds the node of the cloth under the pointer: of the shown level, or of the leaves where all are shown.
@@ -22,14 +22,10 @@ struct NodePick {
 /// @par Cost O(nodes shown + triangles)
 std::optional<NodePick> pick_node(const FrameView& view, const Camera& camera, int x, int y, int width, int height);
 
-/// The gap between a volume and a ball, as the test of the query sees it: by how much the ball must grow to overlap,
-/// or, less than zero, may shrink until it no longer does; at most its radius. Found by halving.
-Real gap_to_ball(const AnyVolume& volume, const Ball& ball);
-
 /// "Level 3, node 21: columns 8-15, rows 0-7", of cells; with several cloths, which.
 std::string node_title(const NodePick& pick, const FrameView& view);
 
-/// "pruned: 3.2 cm beyond the ball"
+/// "pruned: no ball overlaps it"
 std::string node_reason(const NodePick& pick, const FrameView& view);
 
 }  // namespace drape

@@ -95,10 +95,10 @@ TEST_F(NodesUnderThePointer, SayWhoTheyAreAndWhy) {
                              std::to_string(cells.j1 - 1));
         const BoundingSphere volume = std::get<BoundingSphere>(found->node.volume);
         const Real gap = volume.centre.norm() - volume.radius - Real(0.1) - settings_.contact.thickness;
-        EXPECT_NEAR(static_cast<double>(found->gap), static_cast<double>(std::max(gap, Real(-0.102))), 1e-9);
+        EXPECT_EQ(found->at_ball, gap <= 0);
         if (found->state == NodeState::Pruned) {
-            EXPECT_GT(found->gap, 0);
-            EXPECT_THAT(reason, testing::MatchesRegex("pruned: [0-9.]+ (cm|mm) beyond the ball"));
+            EXPECT_FALSE(found->at_ball);
+            EXPECT_EQ(reason, "pruned: no ball overlaps it");
         }
         if (found->state == NodeState::Unvisited) {
             EXPECT_THAT(reason, HasSubstr("not visited"));
@@ -106,13 +106,6 @@ TEST_F(NodesUnderThePointer, SayWhoTheyAreAndWhy) {
     }
     EXPECT_TRUE(states.contains(NodeState::Pruned));
     EXPECT_TRUE(states.contains(NodeState::Unvisited));
-}
-
-TEST(GapToBall, IsThatOfEveryKindOfVolume) {
-    const Ball ball{Vec3(3, 0, 0), Real(0.5), Vec3::Zero()};
-    EXPECT_NEAR(static_cast<double>(gap_to_ball(BoundingSphere{Vec3::Zero(), 1}, ball)), 1.5, 1e-9);
-    EXPECT_NEAR(static_cast<double>(gap_to_ball(Aabb{Vec3(-1, -1, -1), Vec3(1, 1, 1)}, ball)), 1.5, 1e-9);
-    EXPECT_EQ(gap_to_ball(BoundingSphere{Vec3(3, 0, 0), 1}, ball), -ball.radius) << "the centre is in it";
 }
 
 TEST_F(BoxesUnderThePointer, AreTightWhereTheyAreNoLargerThanTheSmallestSphere) {
