@@ -40,25 +40,5 @@ TEST(Outcome, SaysWhyAKeyShowsNothing) {
     EXPECT_THAT(after(simulation, "next view.bounds"), HasSubstr("brute force has no hierarchy"));
 }
 
-TEST(Outcome, OfAnIntegratorSaysWhatItMakesOfTheTimeStep) {
-    Simulation simulation("drop", load_scene("drop"));
-    EXPECT_THAT(after(simulation, "set solver.integrator=backward_euler"), HasSubstr("no stability limit"));
-    EXPECT_EQ(after(simulation, "set solver.integrator=velocity_verlet"), "integrator: velocity_verlet");
-    simulation.apply(parse_command("set solver.dt=1e-3"));
-    EXPECT_THAT(after(simulation, "set solver.integrator=symplectic_euler"), HasSubstr("Shift+R"));
-}
-
-TEST(Outcome, OfAResetSaysWithWhichStep) {
-    for (const char* scene : {"fails_rk4", "fails_penalty"}) {
-        Simulation above(scene, load_scene(scene));
-        EXPECT_THAT(after(above, "reset"), testing::EndsWith(" x its limit; Shift+R uses 0.9 x")) << scene;
-    }
-    Simulation below("drop", load_scene("drop"));
-    EXPECT_THAT(after(below, "reset"),
-                testing::MatchesRegex("Reset with a time step of [0-9.]+ ms, 0\\.[0-9]+ x its limit"));
-    EXPECT_THAT(after(below, "set solver.integrator=backward_euler"), HasSubstr("no stability limit"));
-    EXPECT_THAT(after(below, "reset"), testing::EndsWith(" ms"));
-}
-
 }  // namespace
 }  // namespace drape
