@@ -131,7 +131,7 @@ struct LevelFit {
 class LevelFits {
 public:
     /// @return one for each level, valid until the next call
-    /// @par Cost O(particles) a level, about fifteen passes, in one of `frames_between` frames
+    /// @par Cost O(particles) a level, about thirteen passes, in one of `frames_between` frames
     std::span<const LevelFit> look(const FrameView& view, int levels) {
         const BroadPhaseParameters parameters = broad_phase_of(*view.settings);
         const bool same = parameters_ == parameters && fits_.size() == static_cast<std::size_t>(levels);
@@ -149,9 +149,7 @@ public:
 private:
     static constexpr int frames_between = 30;
 
-    // The time is the least of some
     [[nodiscard]] LevelFit fit_of(const FrameView& view, int level) const {
-        constexpr int repetitions = 3;
         LevelFit fit;
         double count = 0;
         std::vector<NodeView> nodes;
@@ -161,13 +159,9 @@ private:
                 fit.tightness += tightness(node, cloth.hierarchy->slack(), cloth.model.grid, cloth.x);
                 ++count;
             }
-            double least = std::numeric_limits<double>::infinity();
-            for (int r = 0; r < repetitions; ++r) {
-                const Stopwatch watch;
-                refit_nodes(*parameters_, cloth.model.grid, cloth.x, nodes);
-                least = std::min(least, watch.seconds());
-            }
-            fit.seconds += least;
+            const Stopwatch watch;
+            refit_nodes(*parameters_, cloth.model.grid, cloth.x, nodes);
+            fit.seconds += watch.seconds();
         }
         if (count > 0) fit.tightness /= count;
         return fit;
