@@ -28,16 +28,12 @@ double frame_rate(const std::string& text) {
     return *number;
 }
 
-ContextKind context_kind(const std::string& text) {
-    if (const auto kind = value_named<ContextKind>(text)) return *kind;
-    throw InputError("--context " + shortened(text) + ": allowed " + listed(names_of<ContextKind>()));
-}
-
 }  // namespace
 
 std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     CaptureOptions options;
     std::string frames, fps, size = "1280x720", every = "1", context = "auto";
+    const auto contexts = names_of<ContextKind>();
     CommandLine line("drape-capture", "Draws a scene into numbered pictures, with no display.");
     add_start_options(line, options.start);
     line.option("--versus", options.start.versus, "compare the scene with itself under other settings",
@@ -55,14 +51,14 @@ std::optional<CaptureOptions> read_capture_options(int argc, char** argv) {
     line.option("--state", options.state, "write every particle and ball at the end", {"FILE.csv"});
     line.flag("--overlay", options.overlay, "draw the stats panel, as the window does");
     line.option("--context", context, "what draws: osmesa, egl, or auto, which is egl only where osmesa is missing",
-                {"NAME"});
+                {"NAME", false, {contexts.begin(), contexts.end()}});
     line.footer([] { return "Settings:\n" + settings_help(); });
     if (!line.parse(argc, argv)) return std::nullopt;
 
     const bool writes_more = !options.video.empty() || !options.stats.empty() || !options.state.empty() ||
                              !options.start.save.empty() || options.start.hash;
     options.size = parse_size(size);
-    options.context = context_kind(context);
+    options.context = *value_named<ContextKind>(context);
     if (options.tour) {
         if (options.out.empty()) throw InputError("--tour needs --out DIR, for its pictures");
         if (!options.start.empty() || !frames.empty() || writes_more)

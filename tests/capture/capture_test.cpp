@@ -182,7 +182,7 @@ TEST(Capture, RefusesBadOptionsWithWhatIsAllowed) {
              {{"--frames", "1", "--fps", "nan"}, "--fps nan"},
              {{"--frames", "2", "--every", "3"}, "--every 3"},
              {{"drop", "--hash", "--frames", "1", "--context", "glx"},
-              "--context glx: allowed 'auto', 'osmesa' or 'egl'"},
+              "--context: glx not in {auto,osmesa,egl}"},
              {{"--hash", "--frames", "1", "--set", "dt=-1"}, "dt"},
              {{"nowhere", "--hash", "--frames", "1"}, "nowhere"},
              {{}, "--frames"}}) {
