@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -44,17 +43,15 @@ public:
     }
 
 private:
-    /// When the file was written last, and its size.
-    using Look = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
+    /// When the file was written last.
+    using Look = std::filesystem::file_time_type;
 
     /// Nothing where there is no file, as between the two steps of a save by renaming.
     [[nodiscard]] std::optional<Look> look() const {
         std::error_code none;
         const auto time = std::filesystem::last_write_time(file_, none);
         if (none) return {};
-        const std::uintmax_t size = std::filesystem::file_size(file_, none);
-        if (none) return {};
-        return Look{time, size};
+        return time;
     }
 
     std::filesystem::path file_;  ///< empty: none
