@@ -34,21 +34,6 @@ Real pair_thickness_of(const Settings& settings) {
     return thickness;
 }
 
-/// The settings that the motion follows from: what is left out shows or finds the same motion. Under a limited search
-/// that is not so of the hierarchy, for then its nodes stand for the cloth.
-Settings laws_of(Settings settings, bool limited) {
-    if (settings.solver.on_unstable == OnUnstable::Stop) settings.solver.on_unstable = OnUnstable::Warn;
-    settings.solver.ledger = {};
-    settings.solver.threads = {};
-    if (limited) return settings;
-    const ContactSettings defaults;
-    settings.contact.volume = defaults.volume;
-    settings.contact.update = defaults.update;
-    settings.contact.leaf_cells = defaults.leaf_cells;
-    settings.contact.sphere_fit = defaults.sphere_fit;
-    return settings;
-}
-
 }  // namespace
 
 ResponseParameters response_of(const Settings& settings) {
@@ -71,11 +56,9 @@ BroadPhaseParameters broad_phase_of(const Settings& settings) {
 }
 
 bool same_motion(const Settings& a, const Settings& b) {
-    const bool limited = !broad_phase_of(a).search.none() || !broad_phase_of(b).search.none();
-    const Settings first = laws_of(a, limited), second = laws_of(b, limited);
-    return first.cloths == second.cloths && first.balls == second.balls && first.solids == second.solids &&
-           first.pins == second.pins && first.solver == second.solver && first.contact == second.contact &&
-           first.ground == second.ground && first.world == second.world && first.wind == second.wind;
+    return a.cloths == b.cloths && a.balls == b.balls && a.solids == b.solids && a.pins == b.pins &&
+           a.solver == b.solver && a.contact == b.contact && a.ground == b.ground && a.world == b.world &&
+           a.wind == b.wind;
 }
 
 bool same_start(const Settings& a, const Settings& b) {

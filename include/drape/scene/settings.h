@@ -237,7 +237,7 @@ struct Settings {
 /// The hierarchy that the settings name.
 [[nodiscard]] BroadPhaseParameters broad_phase_of(const Settings& settings);
 
-/// True if cloths and balls move alike under both.
+/// True if both have all in common that cloths and balls move by, and how their contacts are found.
 bool same_motion(const Settings& a, const Settings& b);
 
 /// True if the cloths start in the same positions with the same particles, so that a state can be kept.
