@@ -43,7 +43,9 @@ eval over(6, 6, 7); single = figure[1] / figure[2]
 eval over(1, 0, 1); whole = figure[1] / figure[2]
 eval over(2, 2, 3); pictures = figure[1] / figure[2]
 drawn = pictures == pictures ? sprintf('. With volumes drawn, spheres give %.2f times the pictures of boxes', pictures) : ''
-eval headline(sprintf('Spheres take %.1f to %.1f times as long to build as boxes, all steps of a frame %.2f times', large, single, \
+least = sprintf('%.1f', large < single ? large : single); most = sprintf('%.1f', large < single ? single : large)
+builds = least eq most ? least : least.' to '.most
+eval headline(sprintf('Spheres take %s times as long to build as boxes, all steps of a frame %.2f times', builds, \
   whole), 'Medians over runs, with quartiles'.drawn)
 eval panels(2, 3, 25, 25, 45, 95, 45, 70)
 unset grid
