@@ -119,14 +119,13 @@ void keep_reader_of(const std::string& format, Assimp::Importer& importer) {
     }
 }
 
-/// The format in which a mesh is read, by the name of its file: ".stl", or else ".obj".
+}  // namespace
+
 std::string mesh_extension(const std::string& file) {
     std::string extension = std::filesystem::path(file).extension().string();
     for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return extension == ".stl" ? extension : ".obj";
 }
-
-}  // namespace
 
 TriangleMesh read_mesh(const std::string& file) {
     InputFile in(file, largest_file);

@@ -7,6 +7,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/output_file.h"
+#include "drape/scene/mesh_file.h"
 #include "drape/scene/scene.h"
 #include "drape/session/state_csv.h"
 
@@ -49,15 +50,18 @@ Settings present_settings(const Simulation& simulation) {
     return settings;
 }
 
-/// Puts the meshes of solids beside a scene, which may name no others. A file that is there stays.
-void keep_meshes(const std::filesystem::path& folder, Settings& settings) {
-    for (SolidSettings& solid : settings.solids) {
-        if (solid.file.empty()) continue;
-        const std::filesystem::path mesh = solid.file, name = mesh.filename();
-        std::error_code none;
-        copy_file(mesh, folder / name, std::filesystem::copy_options::skip_existing, none);
-        solid.file = name.string();
+/// Puts the meshes of solids beside a scene, which may name no others.
+/// @return false if there are other files of these names
+bool keep_meshes(const Settings& settings, const std::filesystem::path& folder, const std::string& name,
+                 Settings& written) {
+    for (std::size_t s = 0; s < settings.solids.size(); ++s) {
+        if (settings.solids[s].file.empty()) continue;
+        const std::string copy = name + "-solid-" + std::to_string(s) + mesh_extension(settings.solids[s].file);
+        const std::string text = read_text(settings.solids[s].file);
+        if (!has_text(folder / copy, text) && !write_new_file(folder / copy, text)) return false;
+        written.solids[s].file = copy;
     }
+    return true;
 }
 
 }  // namespace
@@ -69,13 +73,13 @@ std::filesystem::path write_failure(const Simulation& simulation, const std::fil
     write_state(state, simulation);
     Settings settings = present_settings(simulation);
     if (!settings.title.starts_with(fails_mark)) settings.title = std::string(fails_mark) + settings.title;
-    keep_meshes(folder, settings);
     const std::string warning = simulation.step_warning();
     const std::string remark = "# " + simulation.report().error + "\n" + (warning.empty() ? "" : "# " + warning + "\n");
     for (int number = 1;; ++number) {
         const std::string name = number == 1 ? "unstable" : "unstable-" + std::to_string(number);
         const auto scene_file = folder / (name + ".toml"), state_file = folder / (name + ".csv");
         settings.start = state_file.filename().string();
+        if (!keep_meshes(simulation.settings(), folder, name, settings)) continue;
         const std::string scene = remark + scene_text(settings);
         if (exists(scene_file) || exists(state_file)) {
             // The same failure again, after a reset

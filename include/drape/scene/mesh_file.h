@@ -7,6 +7,9 @@
 
 namespace drape {
 
+/// The format in which a mesh is read, by the name of its file: ".stl", or else ".obj".
+std::string mesh_extension(const std::string& file);
+
 /// Reads a mesh from an OBJ or STL file [m] by the library Assimp, and makes a closed one of it: see `closed_mesh`.
 /// Of OBJ only points and faces reach the library, so that a file names no other files. Coordinates have single
 /// precision.
