@@ -255,7 +255,8 @@ void Window::follow_scene_file(double elapsed) {
 
 void Window::repeat_shot() {
     const Timeline timeline = session_.timeline();
-    if (timeline.replay || !timeline.is_live()) return;
+    if (timeline.replay) shot_repeat_.end();
+    if (!timeline.is_live()) return;
     const std::vector<Command> commands = shot_repeat_.due(session_.simulation());
     carry_out(commands);
     if (commands.size() > 1) notices_.add("repeat", "Once more, ten times as slow");
