@@ -226,7 +226,10 @@ void Window::tell_of_lost_ball() {
     const Simulation& simulation = session_.simulation();
     const Timeline timeline = session_.timeline();
     if (!drawable() || timeline.replay || !timeline.is_live() || simulation.balls().empty()) return;
-    const Ball& ball = simulation.balls()[simulation.users_ball()];
+    const std::size_t number = simulation.users_ball();
+    const BallMotion motion = simulation.settings().balls[number].motion;
+    if (motion != BallMotion::Keys && motion != BallMotion::Free) return;
+    const Ball& ball = simulation.balls()[number];
     const float aspect = static_cast<float>(width_) / static_cast<float>(height_);
     const bool saw_ball = std::exchange(sees_ball_, shown_.sees(ball, aspect));
     if (!saw_ball || sees_ball_ || simulation.paused() || ball.velocity.isZero()) return;

@@ -84,8 +84,13 @@ files::path link_target(const files::path& name) {
 
 void remove_left_over(const files::path& file) {
     const std::string name = file.filename().string();
-    std::error_code ignored;
-    if (name.starts_with('.') && name.find(mark) != std::string::npos) files::remove(file, ignored);
+    if (!name.starts_with('.') || name.find(mark) == std::string::npos) return;
+    const int found = open(file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (found < 0) return;
+    struct stat there {};
+    const bool is_file = fstat(found, &there) == 0 && S_ISREG(there.st_mode);
+    if (is_file && flock(found, LOCK_EX | LOCK_NB) == 0 && has_name(found, file)) unlink(file.c_str());
+    close(found);
 }
 
 files::path set_file_aside(const files::path& file) { return rename_beside(file, file); }
@@ -111,7 +116,7 @@ UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
 void UnfinishedFile::open_locked() {
     while (descriptor_ < 0) {
         descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (descriptor_ < 0) fail(file_, std::strerror(errno));
+        if (descriptor_ < 0) fail(file_, name_.string() + ": " + std::strerror(errno));
         if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             close(descriptor_);
             fail(file_, "another run is writing " + name_.string());

@@ -44,6 +44,9 @@ inline constexpr Real min_mobility = Real(0.05);
 /// what it could.
 inline constexpr Real taut_stretch = Real(0.02);
 
+/// A motor that is still taken back after so many sweeps is wedged.
+inline constexpr int max_motor_sweeps = 8;
+
 // What rests
 
 /// An approach slower than this many steps of gravity is resting, and does not bounce.

@@ -38,7 +38,7 @@ struct SettingRow {
 SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,
                             const Settings& scene);
 
-/// A value to begin a comparison with: the next name, the other of two; numbers as they are.
+/// A value to begin a comparison with: the next name, the other of two; a number stays the same.
 /// @param row with the value of the run
 SettingValue another_value(const SettingRow& row);
 

@@ -241,9 +241,8 @@ void add_the_rest(std::vector<Setting>& table) {
                 "with restitution");
     contact.add(
         "longest_step", &ContactSettings::longest_step, "s", {1e-6, 1},
-        "while anything touches, and under xpbd while a free ball may come to the cloth within half a second, a longer "
-        "step of an implicit "
-        "method is divided into substeps, so that what rests is not moved farther within one than contact can put back "
+        "while anything touches, and always where the response has penalties, a longer step of a method without a step "
+        "limit is divided into substeps, so that what rests is not moved farther within one than contact can put back "
         "without stretching the cloth");
     contact.add("continuous", &ContactSettings::continuous,
                 "look for what balls and solids meet within a step, not only at its end; auto is the same as true");

@@ -231,7 +231,7 @@ void Simulation::plan_step() {
     }
     const bool touches = report_.contacts > 0 || contact_.is_near();
     const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
-    const bool may_touch = of_balls > 1 || touches || has_penalties(settings_.contact.response);
+    const bool may_touch = of_balls > 1 || touches || (!report_.asleep && has_penalties(settings_.contact.response));
     report_.substeps = std::max(of_balls, substeps_in_contact(settings_, may_touch, planned_substeps_));
     if (contact_.self().on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, solver));
 }

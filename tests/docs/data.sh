@@ -35,9 +35,9 @@ page() {
 # The data
 
 Each table of the other pages, and each chart, is made from one of these files. This list says which command made it, of
-which commit, on what and when, and whether the code that it measures has changed since. "Same results": a test computes
-a part of the table again, and finds all as it was but times (`tests/docs/recompute.sh`). The list is made by
-`tests/docs/data.sh`; a test holds it to the history.
+which commit, on what and when, and whether the code that it measures has changed since. "A case
+recomputed": a test computes one case of the table again, and finds all as it was but times
+(`tests/docs/recompute.sh`). The list is made by `tests/docs/data.sh`; a test holds it to the history.
 
 | Data | Command | Commit | Date | Machine | Run | The code since |
 | --- | --- | --- | --- | --- | --- | --- |
@@ -47,7 +47,7 @@ END
         read -r data command <<<"$first"
         value() { sed -n "s/^# $1: //p" "docs/$data" | head -n 1; }
         commit=$(value commit)
-        since=changed${cases:+, same results}
+        since=changed${cases:+, a case recomputed}
         [[ $commit == *[!0-9a-f]* ]] || ! is_the_same "$commit" $paths || since="the same"
         [[ $paths == *[a-z]* ]] || since="a record of the past"
         echo "| [$data]($data) | ${command:+\`$command\`} | $commit | $(value date) | $(value machine) | $(value settings) | $since |" |
@@ -66,7 +66,7 @@ if [ "${1-}" != --check ]; then
     echo "$made" >docs/data.md
 else
     # Data that is called changed may be so called
-    lenient() { sed 's/ | changed\(, same results\)\? |$/ | the same |/'; }
+    lenient() { sed 's/ | changed\(, a case recomputed\)\? |$/ | the same |/'; }
     page | grep ' | changed[^|]* |$' | while IFS= read -r line; do
         grep -qxF "$line" docs/data.md || { echo "docs/data.md: not so: $line"; exit 1; }
     done || status=1

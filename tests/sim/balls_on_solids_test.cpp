@@ -189,6 +189,23 @@ TEST(BallsOnSolids, TheKeysLeadABallOutOfWhereItHasNoRoomButNoDeeper) {
     EXPECT_GT((simulation.balls()[0].centre - start).norm(), 1);
 }
 
+TEST(BallsOnSolids, TheKeysLeadABallNoDeeperIntoANarrowGroove) {
+    Settings settings = ball_alone(BallMotion::Keys, {0, Real(0.2), 0});
+    settings.balls[0].speed = 1;
+    for (const Real side : {Real(0.3), Real(-0.3)}) {
+        SolidSettings& wall = settings.solids.emplace_back(slab(1));
+        wall.size = {Real(0.2), 4, 4}, wall.position = {side, 0, 0};
+        wall.axis = Vec3(0, 0, 1), wall.angle = side > 0 ? Real(-10) : Real(10);
+    }
+    Simulation simulation("groove", settings);
+    send(simulation, "steer 0 -1 0");
+    run_until(simulation, 4);
+    const Vec3 centre = simulation.balls()[0].centre;
+    for (const Solid& wall : simulation.solids()) {
+        EXPECT_NEAR(wall.distance(centre), size_of_ball + 2 * settings.contact.thickness, 2 * sag) << centre;
+    }
+}
+
 /// A ball on the ground may leave a box that closes on it.
 TEST(BallsOnSolids, AWedgedBallLeavesAClosingPress) {
     Settings settings = ball_alone(BallMotion::Keys, {0, size_of_ball + Real(0.005), 0});
@@ -207,16 +224,36 @@ TEST(BallsOnSolids, AWedgedBallLeavesAClosingPress) {
     EXPECT_GT(simulation.balls()[0].centre.x(), 1);
 }
 
+/// Whichever is first in the scene, and under every response.
 TEST(BallsOnSolids, TheKeysLeadABallIntoNoBallThatStandsStill) {
-    Settings settings = ball_alone(BallMotion::Keys, {0, 0, 0});
-    settings.balls.push_back(settings.balls[0]);
-    settings.balls[1].motion = BallMotion::Still;
-    settings.balls[1].position = {1, 0, 0};
-    Simulation simulation("ball", settings);
-    send(simulation, "steer 1 0 0");
-    run_until(simulation, 3);
-    EXPECT_NEAR(simulation.balls()[0].centre.x(), 1 - 2 * (size_of_ball + settings.contact.thickness), sag);
-    EXPECT_EQ(simulation.balls()[1].centre, settings.balls[1].position);
+    for (int response = 0; response < 4; ++response) {
+        for (const std::size_t led : {0U, 1U}) {
+            Settings settings = ball_alone(BallMotion::Keys, {0, 0, 0});
+            settings.contact.response = static_cast<ResponseKind>(response);
+            settings.balls.push_back(settings.balls[0]);
+            settings.balls[1 - led].motion = BallMotion::Still;
+            settings.balls[1 - led].position = {1, 0, 0};
+            Simulation simulation("ball", settings);
+            send(simulation, "steer 1 0 0");
+            run_until(simulation, 2);
+            const Real expected = 1 - 2 * (size_of_ball + settings.contact.thickness);
+            EXPECT_NEAR(simulation.balls()[led].centre.x(), expected, sag) << response;
+            EXPECT_EQ(simulation.balls()[1 - led].centre, settings.balls[1 - led].position);
+            EXPECT_EQ(simulation.report().penetration, 0);
+        }
+    }
+}
+
+TEST(BallsOnSolids, AMovingPlateCarriesABallUnderTheKeys) {
+    Settings settings = on_slab(ball_alone(BallMotion::Keys, {0, Real(0.2), 0}));
+    settings.solids[0].motion = SolidMotion::Path;
+    settings.solids[0].path = {{0, Vec3(0, Real(-0.1), 0)}, {1, Vec3(0, Real(0.9), 0)}};
+    Simulation simulation("lift", settings);
+    run_until(simulation, 0.5);
+    const Solid& plate = simulation.solids()[0];
+    const Ball& ball = simulation.balls()[0];
+    EXPECT_NEAR(plate.distance(ball.centre), size_of_ball + 2 * settings.contact.thickness, sag);
+    EXPECT_NEAR(ball.velocity.y(), plate.velocity.y(), 0.1);
 }
 
 /// The step that would reach the ground passes the plate first.

@@ -5,7 +5,8 @@
 namespace drape {
 
 /// A file under a temporary name beside the one that it is to have, and locked while its owner lives. No file is
-/// touched that was there before, until `finish`. One that is never finished keeps other runs out of a folder.
+/// touched that was there before, until `finish`. One that is made as a lock, and never finished,
+/// keeps other runs out of a folder.
 class UnfinishedFile {
 public:
     /// What the temporary name is, and what becomes of a file under it that a killed run has left.
@@ -63,7 +64,7 @@ private:
 /// named in one way.
 std::filesystem::path link_target(const std::filesystem::path& name);
 
-/// Removes a file with a hidden temporary name; leaves any other alone. @pre its owner is dead
+/// Removes a file with a hidden temporary name whose owner is dead; leaves any other alone.
 void remove_left_over(const std::filesystem::path& file);
 
 /// Gives a file the first free of the names "NAME-1.csv", "NAME-2.csv" ...

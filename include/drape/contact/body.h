@@ -58,7 +58,7 @@ private:
 struct Body : Ball {
     const Solid* solid = nullptr;  ///< whose shape it has; null: it is a ball, or the ground
     Surface surface;
-    bool is_motor = false;  ///< nothing pushes it, but it gives way to what cannot give way itself
+    bool is_motor = false;  ///< it pushes what can be moved, and is stopped by what cannot
 
     /// Whether a contact can move it.
     [[nodiscard]] bool gives_way() const { return inverse_mass > 0 || is_motor; }
@@ -79,6 +79,11 @@ struct Body : Ball {
     /// @param outwards out of this body, length 1
     [[nodiscard]] Vec3 arm(const Vec3& outwards) const { return radius * outwards; }
 };
+
+/// Whether one is a motor and the other cannot be moved.
+inline bool stops_motor(const Body& first, const Body& second) {
+    return first.inverse_mass + second.inverse_mass == 0 && first.is_motor != second.is_motor;
+}
 
 inline Body body_of(const Ball& ball, const Surface& surface) { return {ball, nullptr, surface}; }
 

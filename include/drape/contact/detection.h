@@ -100,7 +100,7 @@ private:
 /// which one gives way: in the plane where the ball is deepest, or, if it has passed the other within the substep or
 /// come to another side, where they have met.
 /// @param bodies the balls first
-/// @param thickness of the cloth: a motor leaves room for two [m]
+/// @param thickness of the cloth: a motor leaves room for two beside what stops it [m]
 /// @par Cost O(balls bodies) distances
 void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vector<ContactRow>& rows);
 

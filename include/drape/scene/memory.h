@@ -8,7 +8,7 @@
 
 namespace drape {
 
-/// About what a simulation takes at most, within a factor of two or three [bytes]; pictures come on top.
+/// About what a simulation takes, right within a factor of two or three [bytes]; pictures come on top.
 double memory_needed(const Settings& settings);
 
 /// What of it is for pairs of features where cloths meet themselves and each other [bytes].

@@ -86,7 +86,7 @@ public:
     /// How many times cloth crossed cloth at the start: what keeps the sides of cloths cannot part these.
     [[nodiscard]] std::int64_t crossings_at_start() const { return crossings_at_start_; }
 
-    /// In how many places cloth touched cloth at distance 0 then: these are parted.
+    /// In how many places cloth touched cloth at distance 0 then: they may cross.
     [[nodiscard]] std::int64_t coincident_at_start() const { return coincident_at_start_; }
 
     /// What the search of this substep has cost.

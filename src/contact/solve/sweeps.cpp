@@ -7,26 +7,30 @@
 namespace drape {
 namespace {
 
-/// Stops a motor at what is stronger; what nothing moves takes it along where it moves into it. It comes no deeper into
-/// what it is in already, and may leave.
+/// Stops a motor at what is stronger. A body that cannot be moved carries it along; taut cloth only stops it. It comes
+/// no deeper into what it is in already, and may leave.
+/// @param wedged it stays where it was if it was led into this, which fits everything that stands still
 /// @return how far it is taken back [m]
-Real stop_motor(const ContactProblem& problem, const ContactRow& row, RowState& state) {
-    ContactMotion& motion = problem.scratch.displacements;
-    const Real along = relative(problem, motion, row, state).dot(row.normal);
-    const Real lacks = target_of(state, motion.quantity) - along;
-    Real taken = 0;
-    for (const int number : {row.first_body, row.body}) {
-        if (!(lacks > 0) || number == no_body || !problem.body(number).is_motor) continue;
-        const Vec3 towards = number == row.body ? row.normal : Vec3(-row.normal);
-        const auto body = static_cast<std::size_t>(number);
-        Vec3 &moved = motion.bodies[body].linear, &velocity = problem.scratch.velocities.bodies[body].linear;
-        const Real approach = state.inverse_mass == 0 ? -along : towards.dot(moved);
-        const Real back = std::min(lacks, std::max(approach, Real(0)));
-        moved -= back * towards;
-        velocity -= std::max(towards.dot(velocity), Real(0)) * towards;
-        taken = std::max(taken, back);
+Real stop_motor(const ContactProblem& problem, const ContactRow& row, RowState& state, bool wedged) {
+    ContactMotion &displacements = problem.scratch.displacements, &velocities = problem.scratch.velocities;
+    const Real along = relative(problem, displacements, row, state).dot(row.normal);
+    const Real lacks = target_of(state, Quantity::Displacement) - along;
+    if (!(lacks > 0)) return 0;
+    const bool is_first = row.first_body != no_body && problem.body(row.first_body).is_motor;
+    const auto number = static_cast<std::size_t>(is_first ? row.first_body : row.body);
+    Vec3 &moved = displacements.bodies[number].linear, &velocity = velocities.bodies[number].linear;
+    const Vec3 towards = is_first ? Vec3(-row.normal) : row.normal;
+    const bool by_taut = state.inverse_mass > 0;
+    const Real approach = by_taut ? towards.dot(moved) : -along;
+    const Real speed = by_taut ? towards.dot(velocity) : -relative(problem, velocities, row, state).dot(row.normal);
+    const Real back = std::min(lacks, std::max(approach, Real(0)));
+    if (wedged && back > touch_distance) {
+        if (towards.dot(problem.bodies[number].moved) > touch_distance) moved.setZero(), velocity.setZero();
+        return 0;
     }
-    return taken;
+    moved -= back * towards;
+    velocity -= std::max(speed, Real(0)) * towards;
+    return back;
 }
 
 /// Solves one contact for itself: its impulse along the normal grows by what its target lacks, n J >= 0, and friction
@@ -77,8 +81,8 @@ __attribute__((flatten)) Sweeps solve(ContactProblem& problem, ContactMotion& mo
     do {
         square = 0;
         for_each_chosen(problem, [&](ContactRow& row, RowState& state) {
-            if (state.stops && displaces) {
-                const Real taken = stop_motor(problem, row, state);
+            if (state.stops && displaces && sweeps.count <= max_motor_sweeps) {
+                const Real taken = stop_motor(problem, row, state, sweeps.count == max_motor_sweeps);
                 square = std::max(square, taken * taken);
             }
             square = std::max(square, solve_row(problem, motion, friction_alone, row, state));

@@ -82,6 +82,7 @@ public:
         if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
         ++number_;
         if (end != LineEnd::Whole) fail("cut off, or longer than a table's line may be");
+        if (!std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; })) fail("allowed is printable ASCII");
         return true;
     }
 

@@ -54,7 +54,9 @@ void compute(const Experiment& experiment, const ExperimentCases& cases, const s
     const ExperimentTable done = resumed(experiment, head, file);
     TableWriter writer(experiment, file, done);
     const Stopwatch watch;
-    Progress progress(wanted.size() - done.cases.size(), "case");
+    const auto missing = static_cast<std::size_t>(
+        std::ranges::count_if(wanted, [&](std::size_t number) { return !done.cases.contains(number); }));
+    Progress progress(missing, "case");
     for (const std::size_t number : wanted) {
         if (done.cases.contains(number)) continue;
         writer.write(number, cases[number - 1]());
@@ -62,8 +64,7 @@ void compute(const Experiment& experiment, const ExperimentCases& cases, const s
     }
     progress.clear();
     writer.finish();
-    tell(file.string() + ": " + std::to_string(wanted.size() - done.cases.size()) + " cases in " +
-         real_text(watch.seconds(), 3) + " s");
+    tell(file.string() + ": " + std::to_string(missing) + " cases in " + real_text(watch.seconds(), 3) + " s");
 }
 
 /// The finished table of the same program, machine and settings; a table of anything else is none of ours.
@@ -133,8 +134,9 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
     const std::string settings = whole->head["settings"], mark = " --cases ";
     const std::size_t at = settings.find(mark);
     const std::string cases = at == std::string::npos ? "1-" + whole->head["cases"] : settings.substr(at + mark.size());
-    const auto range = parse_integers(cases, '-').value_or(std::pair(1LL, 1LL));
-    for (long long number = range.first; number <= range.second; ++number) {
+    const auto range = parse_integers(cases, '-');
+    if (!range || range->first < 1) throw InputError(fmt::format("{}: cases {}: allowed A-B", first, shortened(cases)));
+    for (long long number = range->first; number <= range->second; ++number) {
         if (whole->cases.contains(static_cast<std::size_t>(number))) continue;
         throw InputError(fmt::format("case {} is missing beside {}: not all shares are there", number, first));
     }
