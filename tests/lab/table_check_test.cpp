@@ -94,6 +94,9 @@ TEST(TableCheck, TakesNoCellThatIsMoreThanAWordOrANumber) {
         EXPECT_THAT(with(cell), HasSubstr("t.csv:11: column method: '")) << cell;
     }
     EXPECT_EQ(with("1,1"), "t.csv:11: 15 cells: allowed 14");
+    Text text;
+    text.settings.insert(12, "\x1b[2J");
+    EXPECT_EQ(refusal(text.all()), "t.csv:7: allowed is plain ASCII");
 }
 
 TEST(TableCheck, RefusesATableThatWasCutOffOrHasRowsOfAnother) {

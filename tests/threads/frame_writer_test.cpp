@@ -7,6 +7,7 @@
 
 #include <csignal>
 
+#include "drape/base/output_file.h"
 #include "support/input_errors.h"
 #include "support/process.h"
 #include "support/read_png.h"
@@ -56,6 +57,14 @@ TEST_F(FrameWriterTest, WritesEachPictureWhileTheNextIsMade) {
         const Image read = read_png(file("frame_" + std::string(4 - number.size(), '0') + number + ".png"));
         EXPECT_EQ(read.rgb, noise(static_cast<unsigned>(frame))->rgb) << frame;
     }
+}
+
+TEST_F(FrameWriterTest, LeavesAloneATableThatIsBeingWrittenAmongThem) {
+    OutputFile table(file("frame_times.csv"));
+    table.stream() << "1" << std::flush;
+    FrameWriter writer(folder_.path(), 1, false);
+    table.close();
+    EXPECT_THAT(names(), ::testing::Contains("frame_times.csv"));
 }
 
 TEST_F(FrameWriterTest, LetsTheFolderGoOnlyWhenTheLastPictureIsWritten) {

@@ -82,7 +82,6 @@ public:
         if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
         ++number_;
         if (end != LineEnd::Whole) fail("cut off, or longer than a table's line may be");
-        if (!std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; })) fail("allowed is printable ASCII");
         return true;
     }
 
@@ -92,6 +91,7 @@ public:
         for (const std::string name : head_lines) {
             if (!next()) return {};
             const std::string mark = "# " + name + ": ";
+            if (!std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; })) fail("allowed is plain ASCII");
             if (!line.starts_with(mark)) fail(fmt::format("'{}': allowed '{}' of a head", shortened(line), mark));
             head[name] = line.substr(mark.size());
         }
