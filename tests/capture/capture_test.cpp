@@ -181,8 +181,7 @@ TEST(Capture, RefusesBadOptionsWithWhatIsAllowed) {
              {{"--frames", "1", "--size", "12"}, "--size 12"},
              {{"--frames", "1", "--fps", "nan"}, "--fps nan"},
              {{"--frames", "2", "--every", "3"}, "--every 3"},
-             {{"drop", "--hash", "--frames", "1", "--context", "glx"},
-              "--context: glx not in {auto,osmesa,egl}"},
+             {{"drop", "--hash", "--frames", "1", "--context", "glx"}, "--context: glx not in {auto,osmesa,egl}"},
              {{"--hash", "--frames", "1", "--set", "dt=-1"}, "dt"},
              {{"nowhere", "--hash", "--frames", "1"}, "nowhere"},
              {{}, "--frames"}}) {
