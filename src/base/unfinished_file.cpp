@@ -112,7 +112,7 @@ UnfinishedFile::UnfinishedFile(const files::path& file, LeftOver left_over)
     static_cast<void>(same_mode);
 }
 
-/// What a killed run has left goes, for something that it started may be writing it yet.
+/// What a killed run has left is not written again: a program that it had started may still be writing it.
 void UnfinishedFile::open_locked() {
     while (descriptor_ < 0) {
         descriptor_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);

@@ -40,8 +40,7 @@ inline constexpr Real min_mobility = Real(0.05);
 
 // Motors
 
-/// A motor is stopped by cloth that is stretched by this beyond its limit, of the rest length, when the limit has done
-/// what it could.
+/// A motor is stopped by cloth that is stretched by this beyond its limit as the substep begins, of the rest length.
 inline constexpr Real taut_stretch = Real(0.02);
 
 /// A motor that is still taken back after so many sweeps is wedged.

@@ -212,9 +212,7 @@ void ContactStage::narrow(StepReport& report) {
     for (const ContactRow& row : rows_) {
         report.pairs += row.kind == RowKind::Pair;
         report.contacts += row.kind < RowKind::Pair && row.depth > 0;
-        near_ =
-            near_ || (row.kind == RowKind::Bodies && !stops_motor(now_.bodies[static_cast<std::size_t>(row.first_body)],
-                                                                  now_.bodies[static_cast<std::size_t>(row.body)]));
+        near_ = near_ || (row.kind == RowKind::Bodies && !stops_motor(row, now_.bodies));
     }
     report.times.narrow += watch.lap();
 }

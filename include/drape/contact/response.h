@@ -54,6 +54,12 @@ double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<cons
 /// Of the bodies that contacts push [J].
 double kinetic_energy(std::span<const Body> bodies);
 
+/// Whether a contact is that of a motor and a body that stops it.
+inline bool stops_motor(const ContactRow& row, std::span<const Body> bodies) {
+    return row.kind == RowKind::Bodies &&
+           stops_motor(bodies[static_cast<std::size_t>(row.first_body)], bodies[static_cast<std::size_t>(row.body)]);
+}
+
 /// How far a contact is pushed out: its depth, less what is left so that a resting contact lasts [m].
 Real correction_of(const ContactRow& row, std::span<const Body> bodies);
 

@@ -14,7 +14,7 @@ double memory_needed(const Settings& settings);
 /// What of it is for pairs of features where cloths meet themselves and each other [bytes].
 double bytes_of_pairs(const ContactSettings& contact, const Grid& grid);
 
-/// "22500 particles with projective_dynamics need about 140 MB".
+/// "22500 particles with projective_dynamics need about 117 MB".
 std::string memory_text(const Settings& settings);
 
 /// Does something that takes memory.

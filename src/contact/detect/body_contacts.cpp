@@ -51,8 +51,9 @@ void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vecto
     for (std::size_t first = 0; first < bodies.size() && bodies[first].is_ball(); ++first) {
         for (std::size_t second = first + 1; second < bodies.size(); ++second) {
             const Body &ball = bodies[first], &body = bodies[second];
-            if (ball.gives_way() == body.gives_way() && ball.inverse_mass + body.inverse_mass == 0) continue;
-            const Real radius = ball.radius + (stops_motor(ball, body) ? 2 * thickness : Real(0));
+            const bool stops = stops_motor(ball, body);
+            if (!stops && ball.inverse_mass + body.inverse_mass == 0) continue;
+            const Real radius = ball.radius + (stops ? 2 * thickness : Real(0));
             const auto plane = plane_for(body, ball.centre - ball.moved + body.moved, ball.centre, radius);
             if (!plane) continue;
             ContactRow& row = rows.emplace_back();

@@ -122,10 +122,7 @@ __attribute__((flatten)) Real update_depths(std::span<const ClothInContact> clot
         if (row.body != no_body) offset -= bodies[static_cast<std::size_t>(row.body)].centre;
         row.depth = row.distance - row.normal.dot(offset);
         // Beside what stops a motor there is to be room for cloth
-        const bool counts = row.kind == RowKind::Bodies ? !stops_motor(bodies[static_cast<std::size_t>(row.first_body)],
-                                                                       bodies[static_cast<std::size_t>(row.body)])
-                                                        : row.kind != RowKind::Pair;
-        if (counts) deepest = std::max(deepest, row.depth);
+        if (row.kind != RowKind::Pair && !stops_motor(row, bodies)) deepest = std::max(deepest, row.depth);
     }
     return deepest;
 }

@@ -93,8 +93,12 @@ std::string text_of_found(Settings scene, const Settings& full, const std::files
     const ClothParameters& cloth = full.cloths[0];
     scene.needs.full = {cloth.particles, cloth.bend, cloth.drag};
     // A scene names its start state as seen from its own folder
-    if (!scene.start.empty())
+    if (!scene.start.empty()) {
         scene.start = std::filesystem::relative(scene.start, absolute(file).parent_path()).string();
+        if (scene.start.starts_with("..")) {
+            throw InputError("--write " + file.string() + ": allowed in the folder of the scene's start, or above it");
+        }
+    }
     return scene_text(scene);
 }
 

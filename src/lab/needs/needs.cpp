@@ -123,10 +123,8 @@ int run(const NeedsOptions& options) {
     std::vector<NamedFile> files = input_files(options.start, start);
     files.push_back({"--write", options.write});
     check_apart(files);
-    if (!options.write.empty() &&
-        text_of_found(start.settings, start.settings, options.write).find("start = \"..") != std::string::npos) {
-        throw InputError("--write " + options.write + ": allowed in the folder of the scene's start or above");
-    }
+    // What would be refused at the end is refused at once
+    if (!options.write.empty()) text_of_found(start.settings, start.settings, options.write);
     OutputFile out(options.write);
     try {
         const Needs needs(start.settings);

@@ -164,6 +164,7 @@ void try_notches(const Needs& needs, const std::function<void(Knob, const Attemp
 /// A scene as the text of a file.
 /// @param full is said in `needs.full`, so that the scene can be found again
 /// @param file that it is for
+/// @throws InputError if the scene's start is not in the file's folder or below, where a scene may name it
 std::string text_of_found(Settings scene, const Settings& full, const std::filesystem::path& file);
 
 }  // namespace drape
