@@ -63,11 +63,10 @@ public:
             p_ = z_ + (rz / before) * p_;
             ++report.iterations;
         }
+        const Real recursive = r_.norm(), size = b.norm();
         report.residual = residual_of(b, x, apply, q_);
-        r_ = b - q_;
-        precondition(r_, z_);
-        const Real left = dot(r_, z_);
-        report.unconverged = left >= 0 && left <= drift * drift * enough ? 0 : 1;
+        const bool drifted = report.residual * size > drift * recursive;
+        report.unconverged = rz >= 0 && rz <= enough && !drifted ? 0 : 1;
         return report;
     }
 

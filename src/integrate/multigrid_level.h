@@ -4,24 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "drape/base/kernels.h"
+#include "drape/base/workers.h"
 #include "drape/model/stencils.h"
 #include "kernels/stencil_kernels.h"
 
 namespace drape {
-
-/// z = B r, with the symmetric 3 x 3 block of each node by its entries xx, xy, xz, yy, yz, zz.
-template <class Blocks, class From, class To>
-void multiply_blocks(const Blocks& blocks, const From& r, To&& z) {
-    z.col(0) = blocks.col(0) * r.col(0) + blocks.col(1) * r.col(1) + blocks.col(2) * r.col(2);
-    z.col(1) = blocks.col(1) * r.col(0) + blocks.col(3) * r.col(1) + blocks.col(4) * r.col(2);
-    z.col(2) = blocks.col(2) * r.col(0) + blocks.col(4) * r.col(1) + blocks.col(5) * r.col(2);
-}
 
 /// Adds a symmetric block to that of a node.
 template <class Blocks, class Block>
@@ -32,12 +25,46 @@ void add_block(Blocks& blocks, int node, const Block& block) {
     }
 }
 
+/// The step that `kernels::take_step` makes, node by node, to the same bits.
+inline void take_step_plainly(const kernels::StencilStep& step, int row, int nodes) {
+    const kernels::StencilMatrix& a = *step.a;
+    const std::ptrdiff_t axis = static_cast<std::ptrdiff_t>(a.rows) * a.runs.length, entry = a.runs.length;
+    using Vector = std::array<float, 3>;
+    const auto at = [&](const float* vectors, std::ptrdiff_t p) {
+        return Vector{vectors[p], vectors[p + axis], vectors[p + 2 * axis]};
+    };
+    const auto block_times = [](const float* block, std::ptrdiff_t next, const Vector& v) {
+        const auto [x, y, z] = v;
+        const float xy = block[next], xz = block[2 * next], yz = block[4 * next];
+        return Vector{block[0] * x + xy * y + xz * z, xy * x + block[3 * next] * y + yz * z,
+                      xz * x + yz * y + block[5 * next] * z};
+    };
+    for (int i = 0; i < nodes; ++i) {
+        const std::ptrdiff_t p = a.runs.at(row) + i;
+        Vector r = at(step.from, p), product{};
+        for (const auto& [block, to] : kernels::StencilTerms(a, row)) {
+            if (step.u == nullptr) continue;
+            const Vector one = block_times(block + i, entry, at(step.u, p + to));
+            for (std::size_t k = 0; k < 3; ++k) product[k] += one[k];
+        }
+        for (std::size_t k = 0; k < 3; ++k) r[k] -= product[k];
+        const Vector relaxed = block_times(step.b + p, axis, r);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::ptrdiff_t here = p + static_cast<std::ptrdiff_t>(k) * axis;
+            if (step.r != nullptr) step.r[here] = r[k];
+            if (step.out == nullptr) continue;
+            float out = relaxed[k] * step.of_r;
+            if (step.of_u != 0) out = step.u[here] * step.of_u + out;
+            step.out[here] = step.add != nullptr ? step.add[here] + out : out;
+        }
+    }
+}
+
 /// The finest level of `Multigrid`, or one of every second column and row of a finer one, where that has more than two.
 struct MultigridLevel {
-    using Layout = kernels::StencilLayout;
-    static constexpr int blocks = Layout::blocks, entries = Layout::entries, group = Layout::group;
-    using Vectors = Eigen::Array<float, Eigen::Dynamic, 3>;
+    static constexpr int entries = kernels::StencilMatrix::entries;
     using Blocks = Eigen::Array<float, Eigen::Dynamic, entries>;  ///< xx, xy, xz, yy, yz, zz of each
+    using Runs = kernels::StencilNumbers;  ///< a number for each node, by entry or coordinate and row
 
     /// By so much of their sum the diagonal entries are made larger.
     static constexpr float least_part = 1e-6F;
@@ -46,24 +73,34 @@ struct MultigridLevel {
     static constexpr int rounds = 6;
     static constexpr double missed = 1.15;
 
-    /// Of Chebyshev's polynomials, and where the upper part of a spectrum begins: at its bound over this.
-    static constexpr int degree = 2;
+    /// Where the upper part of a spectrum begins: at its bound over this.
     static constexpr double smoothed = 4;
 
+    /// Rows that a step reaches beside its own.
+    static constexpr int reach = 2;
+
     /// The kinds of term that a level is added up from: of the particles alone and the six directions of springs at the
-    /// finest, of the blocks of a stencil on the others.
+    /// finest two, of the blocks of a stencil on the others.
     static constexpr std::size_t own = 0, first_direction = 1;
 
-    /// From a node to the others of its stencil: itself, the two after it in its row, and five in each of two rows
-    /// below.
-    static constexpr std::array<SpringDirection, blocks> offsets{
-        {{0, 0}, {1, 0}, {2, 0}, {-2, 1}, {-1, 1}, {0, 1}, {1, 1}, {2, 1}, {-2, 2}, {-1, 2}, {0, 2}, {1, 2}, {2, 2}}};
-    static int block_at(int di, int dj) { return dj == 0 ? di : 5 * dj + di; }
+    /// From a node to the others of its stencil: at the finest, itself and the other ends of its springs; else the two
+    /// after it in its row, and five in each of two rows below.
+    static std::vector<SpringDirection> offsets_of(bool finest) {
+        std::vector<SpringDirection> all{{0, 0}};
+        if (finest) {
+            all.insert(all.end(), spring_directions.begin(), spring_directions.end());
+            return all;
+        }
+        for (int dj = 0; dj <= reach; ++dj) {
+            for (int di = dj == 0 ? 1 : -reach; di <= reach; ++di) all.push_back({di, dj});
+        }
+        return all;
+    }
 
     /// What of a coarse matrix a term of the finer one is added to: a block of a node, and how much of the term.
     struct Part {
-        int node;  ///< from the coarse node at or before the term's first one
-        int block;
+        int column, row;  ///< from the coarse node at or before the term's first one
+        std::size_t block;
         float weight;
     };
 
@@ -74,39 +111,42 @@ struct MultigridLevel {
     };
 
     Grid finer, grid;
-    std::vector<float> stencils;
-    std::array<int, blocks> shifts{};  ///< from a node to the others of its stencil
-    Blocks inverse;                    ///< of the diagonal blocks; zero where nothing moves
-    double bound = 2;                  ///< of the spectrum of D^-1 A
-    Vectors x, b, residual, step, divided;
-    Vectors rows;  ///< scratch, of the finer level's rows
-    Blocks line;   ///< scratch, of every one or every second term in a row
+    kernels::StencilMatrix matrix;
+    Runs inverse;      ///< of the diagonal blocks; zero where nothing moves
+    double bound = 2;  ///< of the spectrum of D^-1 A
+    Runs x, b, residual, step;
+    std::vector<float> lines;  ///< scratch, of a row of the finer level for each entry
     std::vector<Kind> kinds;
-    bool plain;  ///< products in plain code, with the same bits
+    bool plain;  ///< steps in plain code, with the same bits
+    LazyWorkers& workers;
 
-    MultigridLevel(const Grid& finer_grid, const Grid& own_grid, Kernels kernels)
+    MultigridLevel(const Grid& finer_grid, const Grid& own_grid, Kernels kernels, LazyWorkers& threads)
         : finer(finer_grid),
           grid(own_grid),
-          stencils(Layout::numbers(grid.particles())),
-          inverse(grid.particles(), entries),
-          x(grid.particles(), 3),
-          b(grid.particles(), 3),
-          residual(grid.particles(), 3),
-          step(grid.particles(), 3),
-          divided(grid.particles(), 3),
-          rows(is_finest() ? 0 : grid.nx * finer_grid.ny, 3),
-          line(finer_grid.nx, entries),
-          plain(kernels == Kernels::Plain) {
-        for (std::size_t k = 0; k < shifts.size(); ++k) {
-            const auto [di, dj] = offsets[k];
-            const bool is_spring = (di == 0 || dj == 0 || std::abs(di) + dj == 2);
-            shifts[k] = is_finest() && !is_spring ? 0 : dj * grid.nx + di;
-        }
-    }
+          matrix(own_grid, offsets_of(is_finest())),
+          inverse(matrix.runs, entries * grid.ny),
+          x(matrix.runs, 3 * grid.ny),
+          b(x),
+          residual(x),
+          step(x),
+          lines(static_cast<std::size_t>(entries * finer.nx)),
+          plain(kernels == Kernels::Plain),
+          workers(threads) {}
 
     [[nodiscard]] bool is_finest() const { return grid == finer; }
     [[nodiscard]] bool halves_columns() const { return grid.nx != finer.nx; }
     [[nodiscard]] bool halves_rows() const { return grid.ny != finer.ny; }
+
+    /// The first number of a row of vectors.
+    template <class Numbers>
+    [[nodiscard]] auto* row_of(Numbers& vectors, int axis, int j) const {
+        return vectors.data() + matrix.runs.at(axis * grid.ny + j);
+    }
+
+    [[nodiscard]] std::size_t block_at(int di, int dj) const {
+        const auto is_it = [&](const SpringDirection& to) { return to.di == di && to.dj == dj; };
+        return static_cast<std::size_t>(std::ranges::find_if(matrix.offsets, is_it) - matrix.offsets.begin());
+    }
 
     /// Weights by row and column.
     using Weights = std::map<std::pair<int, int>, float>;
@@ -132,12 +172,11 @@ struct MultigridLevel {
     /// u v' + v u' of a block.
     /// @param of_springs the terms are those of the cloth itself, and not those of the level before
     void plan(bool of_springs) {
-        kinds.resize(of_springs ? first_direction + spring_directions.size() : blocks);
+        const std::vector<SpringDirection> between = offsets_of(of_springs);
+        kinds.resize(between.size());
         for (std::size_t k = 0; k < kinds.size(); ++k) {
             const bool is_spring = of_springs && k >= first_direction;
-            SpringDirection to{0, 0};
-            if (is_spring) to = spring_directions[k - first_direction];
-            if (!of_springs) to = offsets[k];
+            const SpringDirection to = between[k];
             kinds[k].di = to.di, kinds[k].dj = to.dj;
             for (int parity = 0; parity < 4; ++parity) {
                 const int i = halves_columns() ? parity & 1 : 0, j = halves_rows() ? parity >> 1 : 0;
@@ -148,214 +187,252 @@ struct MultigridLevel {
                 }
                 const Weights& second = is_spring ? first : other;
                 const bool is_square = of_springs || k == own;
-                std::map<std::pair<int, int>, float> sums;  // by node and block
+                std::map<std::array<int, 4>, float> sums;  // by row and column of the node, and to the other
                 for (const auto& [p, of_p] : first) {
                     for (const auto& [q, of_q] : second) {
                         if (is_square && q < p) continue;  // its other half
                         const auto [low, high] = std::minmax(p, q);
                         const float both = !is_square && p == q ? 2.0F : 1.0F;
-                        const int node = low.first * grid.nx + low.second;
-                        sums[{node, block_at(high.second - low.second, high.first - low.first)}] += both * of_p * of_q;
+                        sums[{low.first, low.second, high.first - low.first, high.second - low.second}] +=
+                            both * of_p * of_q;
                     }
                 }
                 for (const auto& [place, weight] : sums) {
+                    const auto [row, column, down, along] = place;
                     if (weight == 0) continue;
-                    kinds[k].parts[static_cast<std::size_t>(parity)].push_back({place.first, place.second, weight});
+                    kinds[k].parts[static_cast<std::size_t>(parity)].push_back(
+                        {column, row, block_at(along, down), weight});
                 }
             }
         }
     }
 
-    /// Adds all terms of a kind to the blocks that they belong to.
-    /// @param terms by their first node, on the finer level
-    void add(std::size_t number, const Blocks& terms) {
-        const Kind& kind = kinds[number];
+    /// Adds all terms of a kind to the blocks that they belong to. Threads have entries of their own.
+    /// @param terms terms(j, e) has entry e of them in a row, by their first nodes on the finer level
+    template <class Terms>
+    void add(std::size_t number, Terms terms) {
+        workers.run(std::min(parts_of(finer), std::size_t{entries}), [&](int part, int among) {
+            for (int e = part; e < entries; e += among) add_entry(kinds[number], e, terms);
+        });
+    }
+
+    template <class Terms>
+    void add_entry(const Kind& kind, int e, Terms terms) {
         const int stride = halves_columns() ? 2 : 1;
+        float* const line = lines.data() + e * finer.nx;  // every second term beside each other
         for (int j = 0; j < finer.ny - kind.dj; ++j) {
-            const int row = (halves_rows() ? j / 2 : j) * grid.nx, parity_of_row = halves_rows() ? j & 1 : 0;
+            const int row = halves_rows() ? j / 2 : j, parity_of_row = halves_rows() ? j & 1 : 0;
             for (int first = std::max(-kind.di, 0), k = 0; k < stride; ++k, ++first) {
                 const int count = (finer.nx - std::max(kind.di, 0) - first + stride - 1) / stride;
                 const auto parity = static_cast<std::size_t>(2 * parity_of_row + (halves_columns() ? first & 1 : 0));
-                for (int e = 0; e < entries; ++e) {
-                    const float* const from = terms.col(e).data() + finer.particle(first, j);
-                    for (int i = 0; i < count; ++i) line(i, e) = from[i * stride];
+                const float* const from = terms(j, e) + first;
+                for (int i = 0; i < count; ++i) line[i] = from[i * stride];
+                for (const Part& part : kind.parts[parity]) {
+                    float* const to = matrix.run(row + part.row, part.block) + e * matrix.runs.length;
+                    float* const at = to + first / stride + part.column;
+                    for (int i = 0; i < count; ++i) at[i] += part.weight * line[i];
                 }
-                for (const Part& part : kind.parts[parity]) add_line(part, row + first / stride + part.node, count);
             }
         }
     }
 
-    /// Adds one part of the terms in `line` to nodes beside each other.
-    void add_line(const Part& part, int node, int count) {
-        for (int done = 0; done < count;) {
-            float* const to = stencils.data() + Layout::first_entry(node + done, part.block);
-            const int some = std::min(count - done, group - (node + done) % group);
-            for (int e = 0; e < entries; ++e) {
-                const float* const from = line.col(e).data() + done;
-                for (int k = 0; k < some; ++k) to[e * group + k] += part.weight * from[k];
-            }
-            done += some;
-        }
-    }
-
-    void add_matrix_of(const MultigridLevel& before, Blocks& scratch) {
+    void add_matrix_of(const MultigridLevel& before) {
+        const kernels::StencilMatrix& from = before.matrix;
         for (std::size_t k = 0; k < kinds.size(); ++k) {
-            for (int p = 0; p < finer.particles(); ++p) {
-                const std::array<float, entries> term = before.block(p, static_cast<int>(k));
-                for (std::size_t e = 0; e < term.size(); ++e) scratch(p, static_cast<Eigen::Index>(e)) = term[e];
-            }
-            add(k, scratch);
+            add(k, [&](int j, int e) { return from.run(j, k) + e * from.runs.length; });
         }
     }
 
-    [[nodiscard]] std::array<float, entries> block(int node, int number) const {
-        const float* const first = stencils.data() + Layout::first_entry(node, number);
+    [[nodiscard]] std::array<float, entries> block(int i, int j, std::size_t number) const {
         std::array<float, entries> of{};
-        for (std::size_t e = 0; e < of.size(); ++e) of[e] = first[e * group];
+        for (int e = 0; e < entries; ++e) {
+            of[static_cast<std::size_t>(e)] = matrix.run(j, number)[e * matrix.runs.length + i];
+        }
         return of;
     }
 
     /// Of each node's own block, which is made a little stiffer: where springs are slack its smallest part is the mass,
     /// which single precision may have lost.
     void invert_diagonal() {
-        for (int p = 0; p < grid.particles(); ++p) {
-            float* const first = stencils.data() + Layout::first_entry(p, 0);
-            const float more = least_part * (first[0] + first[3 * group] + first[5 * group]);
-            for (const int e : {0, 3, 5}) first[e * group] += more;
-            const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(p, 0);
-            const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
-            const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-            const double determinant = xx * cxx + xy * cxy + xz * cxz, scale = determinant > 0 ? 1 / determinant : 0;
-            const std::array of{cxx, cxy, cxz, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
-            for (int e = 0; e < entries; ++e) {
-                inverse(p, e) = static_cast<float>(scale * of[static_cast<std::size_t>(e)]);
+        const int length = matrix.runs.length;
+        for_rows(grid.ny, [&](int from, int end) {
+            for (int p = grid.particle(0, from); p < grid.particle(0, end); ++p) {
+                const int i = p % grid.nx, j = p / grid.nx;
+                float* const first = matrix.run(j, 0) + i;
+                const float more = least_part * (first[0] + first[3 * length] + first[5 * length]);
+                for (const int e : {0, 3, 5}) first[e * length] += more;
+                const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(i, j, 0);
+                const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
+                const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
+                const double determinant = xx * cxx + xy * cxy + xz * cxz,
+                             scale = determinant > 0 ? 1 / determinant : 0;
+                const std::array of{cxx, cxy, cxz, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+                for (int e = 0; e < entries; ++e) {
+                    row_of(inverse, e, j)[i] = static_cast<float>(scale * of[static_cast<std::size_t>(e)]);
+                }
+            }
+        });
+    }
+
+    /// In how many parts rows are shared among threads: each part has more nodes than a thread is started for, and more
+    /// rows than steps reach beside it.
+    [[nodiscard]] static std::size_t parts_of(const Grid& grid) {
+        constexpr int worth_a_thread = 8192, least_rows = 16;
+        return static_cast<std::size_t>(std::min(grid.particles() / worth_a_thread, grid.ny / least_rows));
+    }
+
+    /// Makes steps one after another for all nodes. A row's step needs what the one before has made of the rows within
+    /// `reach`; it follows so closely that it finds these in the cache. Threads have rows of their own; what needs rows
+    /// of two of them is left for the end.
+    void sweep(std::span<const kernels::StencilStep> steps) {
+        const auto take = [&](std::size_t number, int row) {
+            plain ? take_step_plainly(steps[number], row, grid.nx) : kernels::take_step(steps[number], row);
+        };
+        const int last = static_cast<int>(steps.size()) - 1;
+        int made = 1;
+        workers.run(parts_of(grid), [&](int part, int count) {
+            const int from = grid.ny * part / count, end = grid.ny * (part + 1) / count;
+            if (part == 0) made = count;
+            for (int j = from; j < end + reach * last; ++j) {
+                for (int s = 0; s <= last; ++s) {
+                    const int row = j - reach * s;
+                    const int first = part == 0 ? 0 : from + reach * s;
+                    const int beyond = part == count - 1 ? grid.ny : end - reach * s;
+                    if (row >= first && row < beyond) take(static_cast<std::size_t>(s), row);
+                }
+            }
+        });
+        for (int s = 1; s <= last; ++s) {
+            for (int part = 1; part < made; ++part) {
+                const int border = grid.ny * part / made;
+                for (int row = border - reach * s; row < border + reach * s; ++row) {
+                    take(static_cast<std::size_t>(s), row);
+                }
             }
         }
     }
 
-    void product(const Vectors& u, Vectors& y) const {
-        if (plain) return multiply_plainly(u, y);
-        kernels::multiply_stencils(stencils.data(), grid.particles(), shifts, u.data(), y.data());
+    /// out = of_u u + of_r D^-1 (from - A u), which is Chebyshev's iteration with the right factors.
+    kernels::StencilStep step_of(const Runs* u, const Runs& from, Runs& out, double of_u, double of_r) const {
+        return {.a = &matrix,
+                .b = inverse.data(),
+                .u = u != nullptr ? u->data() : nullptr,
+                .from = from.data(),
+                .add = nullptr,
+                .r = nullptr,
+                .out = out.data(),
+                .of_u = static_cast<float>(of_u),
+                .of_r = static_cast<float>(of_r)};
     }
 
-    /// Each block joins two nodes, and gives to both. A group of nodes after another, as the kernel does.
-    void multiply_plainly(const Vectors& u, Vectors& y) const {
-        const int nodes = grid.particles();
-        y.setZero();
-        for (int base = 0; base < nodes; base += group) {
-            for (int k = 0; k < blocks; ++k) {
-                const int shift = shifts[static_cast<std::size_t>(k)], end = std::min(base + group, nodes - shift);
-                if (k > 0 && shift <= 0) continue;
-                const auto add_product = [&](int block_of, int from, int to) {
-                    const auto [xx, xy, xz, yy, yz, zz] = block(block_of, k);
-                    const float ux = u(from, 0), uy = u(from, 1), uz = u(from, 2);
-                    y(to, 0) += xx * ux + xy * uy + xz * uz;
-                    y(to, 1) += xy * ux + yy * uy + yz * uz;
-                    y(to, 2) += xz * ux + yz * uy + zz * uz;
-                };
-                for (int p = base; p < end; ++p) add_product(p, p + shift, p);
-                for (int p = base; k > 0 && p < end; ++p) add_product(p, p, p + shift);
-            }
-        }
+    /// Of two steps of Chebyshev's iteration, which take down the upper part of the spectrum of D^-1 A: of D^-1 r in
+    /// the first; of the first and of D^-1 r in the second.
+    /// @cite saad2003
+    struct Chebyshev {
+        double first, again, second;
+    };
+    [[nodiscard]] Chebyshev chebyshev() const {
+        const double middle = bound * (1 + 1 / smoothed) / 2, half = bound * (1 - 1 / smoothed) / 2;
+        const double next = 1 / (2 * middle / half - half / middle);
+        return {1 / middle, next * half / middle, 2 * next / half};
+    }
+
+    /// x = about A^-1 b, and the residual b - A x.
+    void smooth_from_zero() {
+        const auto [first, again, second] = chebyshev();
+        kernels::StencilStep left = step_of(&x, b, x, 0, 0);
+        left.r = residual.data(), left.out = nullptr;
+        sweep(std::array{step_of(nullptr, b, step, 0, first), step_of(&step, b, x, 1 + again, second), left});
+    }
+
+    /// The same from an x, without the residual.
+    void smooth() {
+        const auto [first, again, second] = chebyshev();
+        kernels::StencilStep begin = step_of(&x, b, step, 0, first);
+        kernels::StencilStep end = step_of(&step, residual, x, 1 + again, second);
+        begin.r = residual.data(), end.add = x.data();
+        sweep(std::array{begin, end});
     }
 
     /// By powers of D^-1 A on a vector that changes from node to node.
     void find_bound() {
-        for (int p = 0; p < grid.particles(); ++p) {
-            const int i = p % grid.nx, j = p / grid.nx;
-            for (int axis = 0; axis < 3; ++axis) {
-                const int turn = (7 * i + 13 * j + 29 * axis) % 11;
-                x(p, axis) = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int j = 0; j < grid.ny; ++j) {
+                for (int i = 0; i < grid.nx; ++i) {
+                    const int turn = (7 * i + 13 * j + 29 * axis) % 11;
+                    row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
+                }
             }
         }
+        const auto norm = [](Runs& of) {
+            double squares = 0;
+            for (const float one : of.all()) squares += static_cast<double>(one) * one;
+            return std::sqrt(squares);
+        };
+        std::ranges::fill(b.all(), 0.0F);
         bound = 0;
         for (int round = 0; round < rounds; ++round) {
-            const float before = x.matrix().norm();
-            product(x, residual);
-            multiply_blocks(inverse, residual, x);
-            const float after = x.matrix().norm();
+            sweep(std::array{step_of(&x, b, step, 0, -1)});
+            const double before = norm(x), after = norm(step);
             if (!(after > 0)) break;
-            bound = static_cast<double>(after / before);
-            x *= before / after;
+            bound = after / before;
+            std::ranges::transform(step.all(), x.data(),
+                                   [&](float one) { return static_cast<float>(before / after) * one; });
         }
         bound = std::max(missed * bound, 1.0);
     }
 
-    /// Chebyshev's iteration for what is left of A x = b, which takes down the upper part of the spectrum of D^-1 A.
-    /// @cite saad2003
-    void smooth() {
-        const double middle = bound * (1 + 1 / smoothed) / 2, half = bound * (1 - 1 / smoothed) / 2;
-        double rho = half / middle;
-        multiply_blocks(inverse, residual, step);
-        step *= static_cast<float>(1 / middle);
-        x += step;
-        for (int k = 1; k < degree; ++k) {
-            product(step, divided);
-            residual -= divided;
-            multiply_blocks(inverse, residual, divided);
-            const double next = 1 / (2 * middle / half - rho);
-            step = static_cast<float>(next * rho) * step + static_cast<float>(2 * next / half) * divided;
-            x += step;
-            rho = next;
-        }
+    /// Calls visit(from, end) for runs of some rows, shared among threads.
+    template <class Visit>
+    void for_rows(int count, Visit visit) {
+        workers.run(parts_of(grid),
+                    [&](int part, int among) { visit(count * part / among, count * (part + 1) / among); });
     }
 
-    void find_residual() {
-        product(x, residual);
-        residual = b - residual;
-    }
-
-    /// What node k of a line gets from the n nodes of the finer one: a node between two gives half to each.
-    template <class At>
-    static float gathered(const At& at, int k, int n, bool halves) {
-        if (!halves) return at(k);
-        const float left = k > 0 ? at(2 * k - 1) : 0, right = 2 * k + 1 < n ? at(2 * k + 1) : 0;
-        return (2 * k < n ? at(2 * k) : 0) + (left + right) / 2;
-    }
-
-    /// What node k of the finer line follows: between two nodes it has half of each.
-    template <class At>
-    static float interpolated(const At& at, int k, bool halves) {
-        if (!halves) return at(k);
-        return k % 2 != 0 ? (at(k / 2) + at(k / 2 + 1)) / 2 : at(k / 2);
-    }
-
-    /// b = P' fine
-    void restrict_from(const Vectors& fine) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float* const from = fine.col(axis).data();
-            float *const between = rows.col(axis).data(), *const to = b.col(axis).data();
-            for (int j = 0; j < finer.ny; ++j) {
-                const auto in_row = [&](int i) { return from[finer.particle(i, j)]; };
-                for (int i = 0; i < grid.nx; ++i) {
-                    between[grid.particle(i, j)] = gathered(in_row, i, finer.nx, halves_columns());
-                }
+    /// Calls visit(axis, j) for some rows of vectors, shared among threads.
+    template <class Visit>
+    void for_each_row(int count, Visit visit) {
+        for_rows(count, [&](int from, int end) {
+            for (int j = from; j < end; ++j) {
+                for (int axis = 0; axis < 3; ++axis) visit(axis, j);
             }
-            for (int j = 0; j < grid.ny; ++j) {
-                for (int i = 0; i < grid.nx; ++i) {
-                    const auto in_column = [&](int row) { return between[grid.particle(i, row)]; };
-                    to[grid.particle(i, j)] = gathered(in_column, j, finer.ny, halves_rows());
-                }
-            }
-        }
+        });
     }
 
-    /// fine += P x
-    void add_correction(Vectors& fine) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const float* const from = x.col(axis).data();
-            float *const between = rows.col(axis).data(), *const to = fine.col(axis).data();
-            for (int j = 0; j < finer.ny; ++j) {
-                for (int i = 0; i < grid.nx; ++i) {
-                    const auto in_column = [&](int row) { return from[grid.particle(i, row)]; };
-                    between[grid.particle(i, j)] = interpolated(in_column, j, halves_rows());
-                }
-                const auto in_row = [&](int i) { return between[grid.particle(i, j)]; };
-                for (int i = 0; i < finer.nx; ++i) {
-                    to[finer.particle(i, j)] += interpolated(in_row, i, halves_columns());
-                }
+    /// b = P' r, with r of the finer level: a node gets half of what is between it and the next.
+    void restrict_from(const MultigridLevel& fine) {
+        for_each_row(grid.ny, [&](int axis, int j) {
+            const auto row = [&](int k) {
+                return k >= 0 && k < finer.ny ? fine.row_of(fine.residual, axis, k) : nullptr;
+            };
+            const int k = halves_rows() ? 2 * j : j;
+            const float* const here = row(k);
+            const float* const above = halves_rows() ? row(k - 1) : nullptr;
+            const float* const below = halves_rows() ? row(k + 1) : nullptr;
+            const auto at = [&](int i) {
+                float sum = here != nullptr ? here[i] : 0;
+                if (above != nullptr) sum += above[i] / 2;
+                if (below != nullptr) sum += below[i] / 2;
+                return sum;
+            };
+            float* const to = row_of(b, axis, j);
+            for (int i = 0; i < grid.nx; ++i) {
+                to[i] = halves_columns() ? at(2 * i) + (at(2 * i - 1) + at(2 * i + 1)) / 2 : at(i);
             }
-        }
+        });
+    }
+
+    /// x += P c of the finer level, with c the x of this one: what is between two nodes gets half of each.
+    void add_correction_to(MultigridLevel& fine) {
+        fine.for_each_row(finer.ny, [&](int axis, int j) {
+            const int row = halves_rows() ? j / 2 : j, next = halves_rows() ? row + j % 2 : row;
+            const float *const one = row_of(x, axis, row), *const other = row_of(x, axis, next);
+            const auto at = [&](int i) { return (one[i] + other[i]) / 2; };
+            float* const to = fine.row_of(fine.x, axis, j);
+            for (int i = 0; i < finer.nx; ++i) {
+                to[i] += !halves_columns() ? at(i) : i % 2 == 0 ? at(i / 2) : (at(i / 2) + at(i / 2 + 1)) / 2;
+            }
+        });
     }
 };
 

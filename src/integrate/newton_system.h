@@ -14,6 +14,14 @@
 
 namespace drape {
 
+/// z = B r, with the symmetric 3 x 3 block of each node by its entries xx, xy, xz, yy, yz, zz.
+template <class Blocks, class From, class To>
+void multiply_blocks(const Blocks& blocks, const From& r, To&& z) {
+    z.col(0) = blocks.col(0) * r.col(0) + blocks.col(1) * r.col(1) + blocks.col(2) * r.col(2);
+    z.col(1) = blocks.col(1) * r.col(0) + blocks.col(3) * r.col(1) + blocks.col(4) * r.col(2);
+    z.col(2) = blocks.col(2) * r.col(0) + blocks.col(4) * r.col(1) + blocks.col(5) * r.col(2);
+}
+
 /// The linear system of one Newton step of an implicit method, (m I + s D + s^2 K) dv = r, for the free particles;
 /// dv of a pinned one is zero.
 ///
@@ -32,8 +40,8 @@ public:
         : tolerance_(tolerance_of(parameters)),
           newton_steps_(parameters.newton_steps),
           max_momentum_change_(parameters.kind == IntegratorKind::ImplicitMidpoint ? 2 : 8),
-          forces_(grid, parameters.kernels),
-          jacobian_(grid, parameters.hessian, parameters.kernels),
+          forces_(grid, parameters.kernels, parameters.threads),
+          jacobian_(grid, parameters.hessian, parameters.kernels, parameters.threads),
           inverse_(grid.particles(), 6),
           x_(grid.particles(), 3),
           conjugate_gradients_(grid.particles()) {
@@ -44,7 +52,7 @@ public:
             for (Points* scratch : {&left_, &step_, &tried_, &v_}) scratch->resize(grid.particles(), 3);
         }
         if (keeps_multigrid(grid, parameters.hessian)) {
-            multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels);
+            multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels, parameters.threads);
         }
     }
 

@@ -38,7 +38,7 @@ std::string why_without_effect(const Setting& setting, const Settings& settings,
     ignores(!solves, {"solver.hessian", "solver.newton_steps"}, with_integrator);
     ignores(!solves && integrator != IntegratorKind::DormandPrince, {"solver.tolerance"}, with_integrator);
     ignores(!method.iterates, {"solver.iterations"}, with_integrator);
-    ignores(!limited && !settings.contact.self, {"solver.threads"}, with_integrator);
+    ignores(!limited && !solves && !settings.contact.self, {"solver.threads"}, with_integrator);
     ignores(limited, {"contact.longest_step"}, with_integrator);
 
     const VolumeKind volume = settings.contact.volume;

@@ -192,7 +192,8 @@ void add_the_rest(std::vector<Setting>& table) {
                "the cloth's spacing (0: 1e-6), of which at most 10000 are tried in a step");
     table.back().word = {0, "auto"};
     solver.add("threads", &SolverSettings::threads, "", {1, 64},
-               "that share a step of the explicit methods, and the search where cloths touch; the motion is the same");
+               "that share a step of the explicit and the implicit methods, and the search where cloths touch; the "
+               "motion is the same");
     solver.add("kernels", &SolverSettings::kernels,
                "of forces, hierarchy and detection: vectors, or the plain code that is there to be read");
     solver.add("dt", &SolverSettings::dt, "s", {1e-9, 0.1}, "length of one step");

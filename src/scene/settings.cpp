@@ -16,7 +16,7 @@ IntegratorParameters integrator_of(const SolverSettings& solver) {
             .iterations = solver.iterations,
             .tolerance = solver.tolerance,
             .newton_steps = solver.newton_steps,
-            .threads = has_step_limit(solver.integrator) ? solver.threads : 1,
+            .threads = solver.threads,
             .kernels = solver.kernels};
 }
 

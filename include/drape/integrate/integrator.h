@@ -32,7 +32,7 @@ struct IntegratorParameters {
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = 0;                  ///< see `tolerance_of`; 0: the method's own
     int newton_steps = 1;                ///< of the implicit methods in one step, at most; 1: as if linear
-    int threads = 1;                     ///< that share the work of the explicit methods; the result is the same
+    int threads = 1;                     ///< that share forces and multigrid; the result is the same
     Kernels kernels = Kernels::Vector;   ///< of forces, Jacobians and the springs of XPBD
     bool operator==(const IntegratorParameters&) const = default;
 };

@@ -4,6 +4,7 @@
 
 #include "drape/base/enum_names.h"
 #include "drape/base/kernels.h"
+#include "drape/base/workers.h"
 #include "drape/model/forces.h"
 #include "drape/model/stencils.h"
 
@@ -28,7 +29,8 @@ enum class Hessian { Clamped, Exact };
 class Jacobian {
 public:
     /// Makes room for a grid's springs; nothing later allocates.
-    Jacobian(const Grid& grid, Hessian hessian, Kernels kernels);
+    /// @param threads that share the work; the result is the same
+    Jacobian(const Grid& grid, Hessian hessian, Kernels kernels, int threads = 1);
 
     /// Takes the Jacobians at a state.
     /// @param x, v n x 3 [m], [m/s]
@@ -54,6 +56,28 @@ public:
         if (family.none()) return;
         const Real along = family.along(k_scale, d_scale);
         family.springs.for_each(grid_, [&](int a, int b) { visit(a, b, block(family, a, along, k_scale)); });
+    }
+
+    /// The blocks of the springs of a direction, xx, xy, xz, yy, yz, zz by their first particles, and zero where there
+    /// is no spring; of some particles.
+    /// @param blocks n x 6, the rows of these particles overwritten
+    /// @pre clamped
+    template <class Blocks>
+    void spring_blocks(std::size_t direction, Real k_scale, Real d_scale, Eigen::Index first, Eigen::Index count,
+                       Blocks& blocks) const {
+        using Scalar = typename Blocks::Scalar;
+        const Family& family = families_[direction];
+        const auto terms = family.terms.middleRows(first, count).array();
+        const auto across = k_scale * terms.col(3);
+        const Real along = family.along(k_scale, d_scale);
+        Eigen::Index entry = 0;
+        for (Eigen::Index r = 0; r < 3; ++r) {
+            for (Eigen::Index c = r; c < 3; ++c) {
+                auto to = blocks.col(entry++).segment(first, count);
+                to = ((along - across) * terms.col(r) * terms.col(c)).template cast<Scalar>();
+                if (r == c) to += across.template cast<Scalar>();
+            }
+        }
     }
 
     /// Calls visit(a, b, block) for what every triangle in the wind adds to it: where a is b, and once for each pair.
@@ -95,6 +119,9 @@ private:
         }
     };
 
+    template <class Visit>
+    void for_bands(Visit visit) const;
+
     [[nodiscard]] static Block block(const Family& family, int a, Real along, Real k_scale) {
         const Vec3 n = family.terms.row(a).head<3>().transpose();
         const Real across = k_scale * family.terms(a, 3);
@@ -109,6 +136,7 @@ private:
 
     Grid grid_;
     Kernels kernels_;
+    mutable LazyWorkers workers_;
     Real drag_ = 0;
     std::array<Family, 6> families_;
     Points wind_;  ///< g of each triangle [sqrt(N s/m)]; none without wind

@@ -31,13 +31,17 @@ struct SpringStencil {
     /// From the number of the first end to that of the second.
     [[nodiscard]] int offset(const Grid& grid) const { return dj * grid.nx + di; }
 
-    /// Calls visit(a, b) for each spring by its two ends, row by row.
+    /// Calls visit(a, b) for each spring by its two ends, row by row; with first ends in some of the rows.
     template <class Visit>
-    void for_each(const Grid& grid, Visit visit) const {
-        for (int j = 0; j < rows(grid); ++j) {
+    void for_each(const Grid& grid, int from, int end, Visit visit) const {
+        for (int j = from; j < std::min(end, rows(grid)); ++j) {
             const int first = grid.particle(first_column(), j);
             for (int a = first; a < first + count(grid); ++a) visit(a, a + offset(grid));
         }
+    }
+    template <class Visit>
+    void for_each(const Grid& grid, Visit visit) const {
+        for_each(grid, 0, grid.ny, visit);
     }
 
     /// The first ends of all springs with an end in a range, and of some others beside it.
@@ -46,6 +50,18 @@ struct SpringStencil {
         return {std::max(range.first_column - std::max(di, 0), first),
                 std::min(range.end_column - std::min(di, 0), first + count(grid)), std::max(range.first_row - dj, 0),
                 std::min(range.end_row, rows(grid))};
+    }
+};
+
+/// The springs of one direction whose first ends are in some rows of a cloth.
+struct SpringRows {
+    const SpringStencil& springs;
+    const Grid& grid;
+    int from, end;
+
+    template <class Visit>
+    void for_each(Visit visit) const {
+        springs.for_each(grid, from, end, visit);
     }
 };
 

@@ -25,11 +25,13 @@ public:
     ClothIntegrator& operator=(ClothIntegrator&&) noexcept = default;
     ~ClothIntegrator() = default;
 
-    /// Takes a new one, that knows of no step before.
+    /// Takes a new one, that knows of no step before unless there are other threads alone.
     void use(const IntegratorParameters& parameters, const Grid& grid) {
+        parameters_.threads = parameters.threads;
+        before_ = integrator_ && parameters == parameters_ ? integrator_->step_before() : StepBefore{};
         parameters_ = parameters;
-        before_ = {};
         integrator_ = make_integrator(parameters_, grid);
+        if (before_.h > 0) integrator_->resume_after(before_);
     }
 
     /// What the next step goes on from.

@@ -1,51 +1,55 @@
 #include "integrate/kernels/stencil_kernels.h"
 
-#include <algorithm>
+#include "model/kernels/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// y += block u for some nodes beside each other.
-template <int fixed>
-HWY_INLINE void add_products(const float* HWY_RESTRICT c, const float* HWY_RESTRICT ux, const float* HWY_RESTRICT uy,
-                             const float* HWY_RESTRICT uz, float* HWY_RESTRICT yx, float* HWY_RESTRICT yy,
-                             float* HWY_RESTRICT yz, int some) {
-    constexpr int group = StencilLayout::group;
-    const int count = fixed > 0 ? fixed : some;
-    for (int i = 0; i < count; ++i) {
-        const float x = ux[i], y = uy[i], z = uz[i];
-        const float xy = c[group + i], xz = c[2 * group + i], yz_ = c[4 * group + i];
-        yx[i] += c[i] * x + xy * y + xz * z;
-        yy[i] += xy * x + c[3 * group + i] * y + yz_ * z;
-        yz[i] += xz * x + yz_ * y + c[5 * group + i] * z;
-    }
+using StencilLanes = hn::CappedTag<float, StencilRuns::lanes>;
+using StencilVector = Lanes3<hn::Vec<StencilLanes>>;
+
+HWY_INLINE StencilVector load_lanes(StencilLanes d, const float* from, std::ptrdiff_t axis) {
+    return {hn::LoadU(d, from), hn::LoadU(d, from + axis), hn::LoadU(d, from + 2 * axis)};
 }
 
-/// Of one group of nodes.
-template <int fixed>
-HWY_INLINE void multiply_group(const float* c, int nodes, int base, const int* shifts, const float* u, float* y) {
-    const float *const ux = u + base, *const uy = ux + nodes, *const uz = uy + nodes;
-    float *const yx = y + base, *const yy = yx + nodes, *const yz = yy + nodes;
-    for (int k = 0; k < StencilLayout::blocks; ++k, c += StencilLayout::entries * StencilLayout::group) {
-        const int shift = shifts[k], left = nodes - base - shift;
-        const int count = left < StencilLayout::group ? left : StencilLayout::group;
-        if ((k > 0 && shift <= 0) || count <= 0) continue;
-        add_products<fixed>(c, ux + shift, uy + shift, uz + shift, yx, yy, yz, count);
-        if (k > 0) add_products<fixed>(c, ux, uy, uz, yx + shift, yy + shift, yz + shift, count);
-    }
+HWY_INLINE void store_lanes(const StencilVector& values, StencilLanes d, float* to, std::ptrdiff_t axis) {
+    hn::StoreU(values.x, d, to);
+    hn::StoreU(values.y, d, to + axis);
+    hn::StoreU(values.z, d, to + 2 * axis);
 }
 
-/// Of all groups; `fixed` is the number of nodes of those that have all their neighbours.
-void multiply_stencils_of(const float* stencils, int nodes, const int* shifts, int farthest, const float* u, float* y) {
-    constexpr int group = StencilLayout::group;
-    for (int base = 0; base < nodes; base += group) {
-        const float* const c =
-            stencils + static_cast<std::ptrdiff_t>(base) * StencilLayout::blocks * StencilLayout::entries;
-        if (base + group + farthest <= nodes) {
-            multiply_group<group>(c, nodes, base, shifts, u, y);
-        } else {
-            multiply_group<0>(c, nodes, base, shifts, u, y);
+/// Blocks times vectors.
+/// @param entry from an entry of a block to the next
+HWY_INLINE StencilVector block_times(StencilLanes d, const float* block, std::ptrdiff_t entry, const StencilVector& u) {
+    const auto xy = hn::LoadU(d, block + entry), xz = hn::LoadU(d, block + 2 * entry);
+    const auto yz = hn::LoadU(d, block + 4 * entry);
+    return {dot(StencilVector{hn::LoadU(d, block), xy, xz}, u),
+            dot(StencilVector{xy, hn::LoadU(d, block + 3 * entry), yz}, u),
+            dot(StencilVector{xz, yz, hn::LoadU(d, block + 5 * entry)}, u)};
+}
+
+void take_step_of(const StencilStep& step, int row) {
+    const StencilLanes d;
+    const StencilMatrix& a = *step.a;
+    const std::ptrdiff_t axis = static_cast<std::ptrdiff_t>(a.rows) * a.runs.length, first = a.runs.at(row);
+    const auto of_u = hn::Set(d, step.of_u), of_r = hn::Set(d, step.of_r);
+    const StencilTerms terms(a, row);
+    // With the zeros beside the nodes, which stay
+    for (int i = -StencilRuns::beside; i < a.runs.length - StencilRuns::beside; i += static_cast<int>(hn::Lanes(d))) {
+        const std::ptrdiff_t p = first + i;
+        StencilVector product{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+        if (step.u != nullptr) {
+            for (const auto& [block, to] : terms) {
+                product = plus(product, block_times(d, block + i, a.runs.length, load_lanes(d, step.u + p + to, axis)));
+            }
         }
+        const StencilVector r = minus(load_lanes(d, step.from + p, axis), product);
+        if (step.r != nullptr) store_lanes(r, d, step.r + p, axis);
+        if (step.out == nullptr) continue;
+        StencilVector out = times(block_times(d, step.b + p, axis, r), of_r);
+        if (step.of_u != 0) out = plus(times(load_lanes(d, step.u + p, axis), of_u), out);
+        if (step.add != nullptr) out = plus(load_lanes(d, step.add + p, axis), out);
+        store_lanes(out, d, step.out + p, axis);
     }
 }
 
@@ -55,14 +59,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace drape::kernels {
 
-HWY_EXPORT(multiply_stencils_of);
+HWY_EXPORT(take_step_of);
 
-void multiply_stencils(const float* stencils, int nodes, const std::array<int, StencilLayout::blocks>& shifts,
-                       const float* u, float* y) {
-    std::fill(y, y + 3 * static_cast<std::ptrdiff_t>(nodes), 0.0F);
-    const int farthest = *std::ranges::max_element(shifts);
-    HWY_DYNAMIC_DISPATCH(multiply_stencils_of)(stencils, nodes, shifts.data(), farthest, u, y);
-}
+void take_step(const StencilStep& step, int row) { HWY_DYNAMIC_DISPATCH(take_step_of)(step, row); }
 
 }  // namespace drape::kernels
 #endif

@@ -2,30 +2,109 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "drape/model/stencils.h"
 
 namespace drape::kernels {
 
-/// Symmetric stencils of 3 x 3 blocks, single precision, as multigrid has them: of each node, 13 blocks that join it
-/// with itself and with nodes after it, each with xx, xy, xz, yy, yz, zz. Nodes stand by sixteens, the same number of
-/// all of them beside each other.
-struct StencilLayout {
-    static constexpr int blocks = 13, entries = 6, group = 16;
+/// Runs of numbers in single precision, each a number for every node of a grid's row, between zeros: enough for what a
+/// stencil reads beside a row, and for whole vectors of any processor.
+struct StencilRuns {
+    static constexpr int lanes = 16, beside = 2;
 
-    /// How many numbers the stencils of nodes are.
-    static std::size_t numbers(int nodes) {
-        return static_cast<std::size_t>((nodes + group - 1) / group) * blocks * entries * group;
-    }
+    int length;  ///< from a run to the next
 
-    /// The first of a block's entries; the others follow, each a group later.
-    static std::ptrdiff_t first_entry(int node, int block) {
-        return (static_cast<std::ptrdiff_t>(node / group) * blocks + block) * entries * group + node % group;
+    explicit StencilRuns(int nodes) : length((nodes + 2 * beside + lanes - 1) / lanes * lanes) {}
+
+    /// How many numbers some runs are, with what is read before the first and after the last.
+    [[nodiscard]] std::size_t numbers(int runs) const { return static_cast<std::size_t>(at(runs)) + lanes; }
+
+    /// Where the number of a run's first node stands.
+    [[nodiscard]] std::ptrdiff_t at(int run) const {
+        return lanes + beside + static_cast<std::ptrdiff_t>(run) * length;
     }
 };
 
-/// y = A u.
-/// @param shifts of each block, from a node to the other that it joins; not above 0 but for the first: there is none
-/// @param u, y nodes x 3, coordinate by coordinate
-void multiply_stencils(const float* stencils, int nodes, const std::array<int, StencilLayout::blocks>& shifts,
-                       const float* u, float* y);
+/// The numbers of some runs, of which each begins a line of the cache: what vectors are best loaded from.
+class StencilNumbers {
+public:
+    StencilNumbers(StencilRuns runs, int count) : lines_((runs.numbers(count) + line - 1) / line) {}
+
+    [[nodiscard]] std::size_t size() const { return line * lines_.size(); }
+    [[nodiscard]] const float* data() const { return lines_.data()->values; }
+    [[nodiscard]] float* data() { return lines_.data()->values; }
+    [[nodiscard]] std::span<float> all() { return {data(), size()}; }
+
+private:
+    static constexpr std::size_t line = 16;
+    struct alignas(64) Line {
+        float values[line] = {};
+    };
+    std::vector<Line> lines_;
+};
+
+/// A matrix of symmetric 3 x 3 blocks on a grid. Each node has those that join it with itself and with nodes after it.
+struct StencilMatrix {
+    static constexpr int entries = 6;  ///< of a block: xx, xy, xz, yy, yz, zz
+
+    StencilRuns runs;
+    int rows;
+    std::vector<SpringDirection> offsets;  ///< from a node to the other of each block; to itself in the first
+    StencilNumbers numbers;                ///< row by row of the grid, block by block, entry by entry
+
+    StencilMatrix(const Grid& grid, std::vector<SpringDirection> to)
+        : runs(grid.nx),
+          rows(grid.ny),
+          offsets(std::move(to)),
+          numbers(runs, rows * static_cast<int>(offsets.size()) * entries) {}
+
+    /// The first entries of a block of the nodes of a row; the others follow, each a run later.
+    [[nodiscard]] const float* run(int row, std::size_t block) const { return numbers.data() + first(row, block); }
+    [[nodiscard]] float* run(int row, std::size_t block) { return numbers.data() + first(row, block); }
+
+private:
+    [[nodiscard]] std::ptrdiff_t first(int row, std::size_t block) const {
+        return runs.at((row * static_cast<int>(offsets.size()) + static_cast<int>(block)) * entries);
+    }
+};
+
+/// Of a row: where a block's entries stand for its nodes, and from these to the others that it joins.
+struct StencilTerm {
+    const float* block;
+    std::ptrdiff_t to;
+};
+
+/// The blocks that join the nodes of a row with others: their own, and those of the nodes before them.
+struct StencilTerms {
+    std::array<StencilTerm, 25> terms;
+    std::size_t count = 0;
+
+    StencilTerms(const StencilMatrix& a, int row) {
+        for (std::size_t k = 0; k < a.offsets.size(); ++k) {
+            const auto [di, dj] = a.offsets[k];
+            const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(dj) * a.runs.length + di;
+            if (row + dj < a.rows) terms[count++] = {a.run(row, k), to};
+            if (k > 0 && row >= dj) terms[count++] = {a.run(row - dj, k) - di, -to};
+        }
+    }
+    [[nodiscard]] auto begin() const { return terms.begin(); }
+    [[nodiscard]] auto end() const { return terms.begin() + count; }
+};
+
+/// r = from - A u and out = add + of_u u + of_r B r, where B has a block of its own for each node. All but A, B and
+/// `from` may be null: not there, or not wanted.
+struct StencilStep {
+    const StencilMatrix* a;
+    const float* b;  ///< run by run, by entry and row, as vectors are by coordinate and row
+    const float *u, *from, *add;
+    float *r, *out;
+    float of_u, of_r;
+};
+
+/// Makes a step for the nodes of a row.
+void take_step(const StencilStep& step, int row);
 
 }  // namespace drape::kernels

@@ -54,8 +54,9 @@ HWY_INLINE void linearise_run(const SpringStencil& springs, const RunEnds& x, co
     for (int i = 0; i < count; ++i) skew2[i] = c * inverse[i] * (v.az[i] - v.bz[i] - s[i] * n2[i]);
 }
 
-void linearise(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v, SpringTerms& terms) {
-    for (int j = 0; j < springs.rows(grid); ++j) {
+void linearise(const SpringRows& rows, const Points& x, const Points& v, SpringTerms& terms) {
+    const auto& [springs, grid, from, beyond] = rows;
+    for (int j = from; j < std::min(beyond, springs.rows(grid)); ++j) {
         const int first = grid.particle(springs.first_column(), j), end = first + springs.count(grid);
         for (int a = first; a < end; a += run_length) {
             const int b = a + springs.offset(grid);
@@ -92,11 +93,13 @@ HWY_INLINE void add_product_of_run(const RunEnds& u, int count, const std::array
     add_opposite(gz, y[2] + a, y[2] + b, count);
 }
 
-void add_product(const SpringStencil& springs, const Grid& grid, const SpringTerms& terms, Real along, Real k_scale,
-                 const Points& u, Points& y) {
-    const int rows = springs.rows(grid), count = springs.count(grid);
-    if (rows < 1 || count < 1) return;
-    const int first = springs.first_column(), end = grid.particle(first, rows - 1) + count;
+void add_product(const SpringRows& rows, const SpringTerms& terms, Real along, Real k_scale, const Points& u,
+                 Points& y) {
+    const auto& [springs, grid, from, beyond] = rows;
+    const int count = springs.count(grid), last_row = std::min(beyond, springs.rows(grid)) - 1;
+    if (last_row < from || count < 1) return;
+    const int first = grid.particle(springs.first_column(), from);
+    const int end = grid.particle(springs.first_column(), last_row) + count;
     for (int a = first; a < end; a += run_length) {
         const int b = a + springs.offset(grid), length = std::min(run_length, end - a);
         const RunEnds ends = ends_of(axes(u), a, b);
@@ -117,13 +120,13 @@ namespace drape::kernels {
 HWY_EXPORT(linearise);
 HWY_EXPORT(add_product);
 
-void linearise(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v, SpringTerms& terms) {
-    HWY_DYNAMIC_DISPATCH(linearise)(springs, grid, x, v, terms);
+void linearise(const SpringRows& rows, const Points& x, const Points& v, SpringTerms& terms) {
+    HWY_DYNAMIC_DISPATCH(linearise)(rows, x, v, terms);
 }
 
-void add_product(const SpringStencil& springs, const Grid& grid, const SpringTerms& terms, Real along, Real k_scale,
-                 const Points& u, Points& y) {
-    HWY_DYNAMIC_DISPATCH(add_product)(springs, grid, terms, along, k_scale, u, y);
+void add_product(const SpringRows& rows, const SpringTerms& terms, Real along, Real k_scale, const Points& u,
+                 Points& y) {
+    HWY_DYNAMIC_DISPATCH(add_product)(rows, terms, along, k_scale, u, y);
 }
 
 }  // namespace drape::kernels
