@@ -97,8 +97,8 @@ TEST(PlainTree, HasTheCentroidSphereOfEachNodeAndTheVectorTreeOneThatIsRounded) 
     EXPECT_GT(nodes_with_another_fit<BoundingSphere>({.leaf_cells = 3}), 20);
 }
 
-/// Calls visit(grid, leaf_cells) for more leaves in a row than are fitted together, narrow ones at the sides, a grid so
-/// wide that its rows are taken by fours, and leaves of one row of cells.
+/// Calls visit(grid, leaf_cells) for many leaves in a row, narrow ones at the sides, a grid so wide that its rows are
+/// taken by fours, and leaves of one row of cells.
 template <class Visit>
 void for_many_trees(Visit visit) {
     for (const Grid& grid : {Grid{2, 2}, Grid{31, 17}, Grid{250, 9}, Grid{300, 23}, Grid{2, 300}}) {

@@ -8,5 +8,4 @@
 #include "bounds/kernels/patch_loop-inl.h"
 
 #include "bounds/kernels/extent_kernels-inl.h"
-#include "bounds/kernels/leaf_boxes-inl.h"
 #include "bounds/kernels/patch_kernels-inl.h"
