@@ -6,89 +6,40 @@ namespace drape::kernels::HWY_NAMESPACE {
 /// Columns that are added up together, whatever the width of the vectors.
 constexpr int eight = 8;
 
-/// Eight values in as many vectors as they take.
-template <class D>
-struct Eight {
-    static constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
-    static constexpr int vectors = eight / lanes;
-    hn::Vec<D> vector[vectors];
-};
-
-/// Eight values; those from `count` on are zero and not read.
-template <class D>
-HWY_INLINE Eight<D> load_eight(D d, const Real* from, int count) {
-    Eight<D> values;
-    HWY_ALIGN Real few[eight] = {};
-    if (count < eight) {
-        for (int k = 0; k < count; ++k) few[k] = from[k];
-        from = few;
-    }
-    for (int p = 0; p < Eight<D>::vectors; ++p) values.vector[p] = hn::LoadU(d, from + p * Eight<D>::lanes);
-    return values;
-}
-
-/// sum += values, but for those before `begin` and from `end` on.
-template <class D>
-HWY_INLINE void add_between(D d, const Eight<D>& values, int begin, int end, Eight<D>& sum) {
-    for (int p = 0; p < Eight<D>::vectors; ++p) {
-        const auto number = hn::Iota(d, static_cast<Real>(p * Eight<D>::lanes));
-        const auto counts = hn::And(hn::Ge(number, hn::Set(d, static_cast<Real>(begin))),
-                                    hn::Lt(number, hn::Set(d, static_cast<Real>(end))));
-        sum.vector[p] = hn::Add(sum.vector[p], hn::IfThenElseZero(counts, values.vector[p]));
-    }
-}
-
-template <class D>
-HWY_INLINE void store_eight(D d, const Eight<D>& values, Real* to) {
-    for (int p = 0; p < Eight<D>::vectors; ++p) hn::StoreU(values.vector[p], d, to + p * Eight<D>::lanes);
-}
-
-template <class Lane>
-HWY_INLINE Real pairwise_total(Lane lane) {
-    return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
-}
-
-template <class D>
-HWY_INLINE Real pairwise_total(D d, const Eight<D>& values) {
-    Real lane[eight];
-    store_eight(d, values, lane);
-    return pairwise_total([&](int k) HWY_ATTR { return lane[k]; });
+HWY_INLINE Real pairwise_total(const Real* of) {
+    return ((of[0] + of[4]) + (of[2] + of[6])) + ((of[1] + of[5]) + (of[3] + of[7]));
 }
 
 /// The sums of one coordinate.
 template <class D>
 HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner_total, Real& right,
                           Real& below_total) {
-    Eight<D> inner = load_eight(d, from, 0), below = inner;
-    // Of a short row that another one follows, eight can be read all the same: what is too much is left out of the
-    // sums. To copy the few would be slower, for a vector that is loaded where single values were just stored waits for
-    // them
-    const bool follows = patch.rows > 1 && patch.stride + patch.columns >= eight;
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
+    // Of a short row eight can be read all the same, where the next one goes so far: what is too much is left out
+    const bool reads_eight = patch.stride + patch.columns >= eight;
+    Real inner[eight] = {}, below[eight] = {};
     for (int counted = 0; counted < patch.columns; counted += eight) {
         // The last eight start early enough to end with the row; what was counted before is left out
-        const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight));
-        const int count = HWY_MIN(eight, patch.columns - i), corner = patch.columns - 1 - i;
-        const int read = follows ? eight : count;
-        Eight<D> column = load_eight(d, from + i, read);
-        for (int j = 1; j + 1 < patch.rows; ++j) {
-            const Eight<D> row = load_eight(d, from + j * patch.stride + i, read);
-            for (int p = 0; p < Eight<D>::vectors; ++p) column.vector[p] = hn::Add(column.vector[p], row.vector[p]);
-        }
-        add_between(d, column, counted - i, corner, inner);
+        const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight)), corner = patch.columns - 1 - i;
+        HWY_ALIGN Real column[eight] = {};
+        const auto add_rows = [&](auto width, int k) HWY_ATTR {
+            auto sum = hn::LoadU(width, from + i + k);
+            for (int j = 1; j + 1 < patch.rows; ++j) {
+                sum = hn::Add(sum, hn::LoadU(width, from + j * patch.stride + i + k));
+            }
+            hn::StoreU(sum, width, column + k);
+        };
+        for (int k = 0; reads_eight && k < eight; k += lanes) add_rows(d, k);
+        for (int k = 0; !reads_eight && k < patch.columns; ++k) add_rows(hn::CappedTag<Real, 1>(), k);
         const Real* const last = from + (patch.rows - 1) * patch.stride + i;
-        if (count < eight) {
-            below_total = pairwise_total([&](int k) HWY_ATTR { return k < corner ? last[k] : 0; });
-        } else {
-            add_between(d, load_eight(d, last, count), counted - i, corner, below);
+        for (int k = counted - i; k < HWY_MIN(corner, eight); ++k) {
+            inner[k] += column[k];
+            below[k] += last[k];
         }
-        if (corner < eight) {
-            Real lane[eight];
-            store_eight(d, column, lane);
-            right = lane[corner];
-        }
+        if (corner < eight) right = column[corner];
     }
-    inner_total = pairwise_total(d, inner);
-    if (patch.columns >= eight) below_total = pairwise_total(d, below);
+    inner_total = pairwise_total(inner);
+    below_total = pairwise_total(below);
 }
 
 PatchSums sums_of(const Patch& patch) {
