@@ -33,7 +33,7 @@ struct RowState {
 /// What contacts change: displacements within the substep, or velocities.
 enum class Quantity { Displacement, Velocity };
 
-/// One of both, of all that takes part.
+/// One of both, of all that takes part; of particles that do not, nothing is known.
 struct ContactMotion {
     /// Of a body, and how fast it turns.
     struct OfBody {
@@ -50,14 +50,7 @@ struct ContactMotion {
 
 /// What a solver keeps from one substep to the next, to allocate nothing.
 struct ContactSolver::Scratch {
-    /// A particle in contact.
-    struct Particle {
-        int cloth, particle;
-    };
-
-    std::vector<RowState> states;     ///< of each row
-    std::vector<Particle> particles;  ///< of each place
-    std::vector<int> place_of;        ///< of each particle of all cloths, plus 1; 0: none
+    std::vector<RowState> states;  ///< of each row
     ContactMotion displacements{Quantity::Displacement, {}, {}}, velocities{Quantity::Velocity, {}, {}};
 };
 

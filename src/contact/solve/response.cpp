@@ -52,13 +52,10 @@ ContactSolver::Scratch& ContactSolver::scratch() {
 }
 
 void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
-    const std::size_t count = std::min(contacts, max_reserved);
     Scratch& scratch = this->scratch();
-    scratch.place_of.resize(particles);
-    scratch.states.reserve(count);
-    scratch.particles.reserve(count);
-    scratch.displacements.particles.reserve(count);
-    scratch.velocities.particles.reserve(count);
+    scratch.states.reserve(std::min(contacts, max_reserved));
+    scratch.displacements.particles.reserve(particles);
+    scratch.velocities.particles.reserve(particles);
 }
 
 ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real h,
