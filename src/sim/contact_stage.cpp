@@ -268,7 +268,7 @@ void ContactStage::prevent_crossing(StepReport& report) {
         const std::span<Cloth> cloths = now_.moving.cloths;
         for (Cloth& cloth : cloths) cloth.energy.before_hold(cloth.model, cloth.state);
         report.failsafe_particles = self_.prevent_crossing(now_.cloths);
-        for (Cloth& cloth : cloths) cloth.energy.after_hold(cloth.model, cloth.state);
+        for (Cloth& cloth : cloths) cloth.energy.after_pushes(cloth.model, cloth.state);
         report.penetration = static_cast<double>(update_depths(now_.cloths, now_.bodies, rows_));
     }
     report.listed_pairs = self_.report().listed;

@@ -58,25 +58,12 @@ void EnergyLedger::pushed(double work) {
     now_.contact_energy += work;
 }
 
-void EnergyLedger::pushed_by_balls(double work) {
-    now_.balance.ball += work;
-    now_.balance.contact += work;
-}
-
-void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {
+void EnergyLedger::responded(double EnergyBalance::*loss, const EnergyFlow& before, const EnergyFlow& after,
+                             double ball_work) {
     const double change = after.energy.total() - before.energy.total();
     now_.balance.ball += ball_work;
-    now_.balance.contact += ball_work - change;
-    changed_after_step(before, after);
-}
-
-void EnergyLedger::prevented_crossing(const EnergyFlow& before, const EnergyFlow& after) {
-    now_.balance.failsafe += before.energy.total() - after.energy.total();
-    changed_after_step(before, after);
-}
-
-void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow& after) {
-    now_.contact_energy += after.energy.total() - before.energy.total();
+    now_.balance.*loss += ball_work - change;
+    now_.contact_energy += change;
     now_.contact_power.damping += after.power.damping - before.power.damping;
     now_.contact_power.drag += after.power.drag - before.power.drag;
 }

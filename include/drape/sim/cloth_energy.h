@@ -125,22 +125,19 @@ public:
     /// @param grabbed particle that the hand leads; below 0: none
     StretchReport limit_stretch(const ClothModel& model, int grabbed, ClothState& state);
 
-    /// Contacts are about to push the cloth.
+    /// Contacts are about to push the cloth, or the fail-safe of contact between cloths to hold it back.
     void before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes);
+    void before_hold(const ClothModel& model, const ClothState& state);
 
     /// They have, and that is entered.
     /// @param ball_work by balls on the cloth [J]
     /// @return whether anything has pushed it
-    bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
+    bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work = 0);
 
     /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
     void pushed(double work) {
         if (ledger_) ledger_->pushed(work);
     }
-
-    /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
-    void before_hold(const ClothModel& model, const ClothState& state);
-    void after_hold(const ClothModel& model, const ClothState& state);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
@@ -168,9 +165,10 @@ private:
     EnergyWatch watch_;
     std::optional<EnergyLedger> ledger_;
     bool has_pins_ = false;
-    int grabbed_ = -1;              ///< particle that the hand leads
-    GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
-    EnergyFlow before_;             ///< of what contacts or the fail-safe are about to push
+    int grabbed_ = -1;                       ///< particle that the hand leads
+    GridRange pushed_{0, 0, 0, 0};           ///< particles that are being pushed; all, where none is measured
+    EnergyFlow before_;                      ///< of what contacts or the fail-safe are about to push
+    double EnergyBalance::*loss_ = nullptr;  ///< the entry for what this dissipates
     bool known_ = false;
     double max_push_work_ = 0;  ///< a bound [J]
     Points wind_;               ///< scratch, while a ledger is kept

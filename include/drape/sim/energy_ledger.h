@@ -52,17 +52,12 @@ public:
     /// @param work by them [J]
     void pushed(double work);
 
-    /// Balls have given that much of it [J].
-    void pushed_by_balls(double work);
-
-    /// Contacts were answered.
-    /// @param before,after of the part of the cloth that this may have moved
-    /// @param ball_work as the response reports it [J]
-    void responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work);
-
-    /// The fail-safe of contact between cloths has held the cloth back.
-    /// @param before,after of the whole cloth
-    void prevented_crossing(const EnergyFlow& before, const EnergyFlow& after);
+    /// Contacts were answered, or the fail-safe has held the cloth back.
+    /// @param loss the entry for what that dissipates
+    /// @param before,after of the part of the cloth that this may have moved; both the same if it gives what `pushed`
+    /// is told of
+    /// @param ball_work by balls [J]
+    void responded(double EnergyBalance::*loss, const EnergyFlow& before, const EnergyFlow& after, double ball_work);
 
     /// State or model are about to be changed from outside, which is the work of the hand or of pins.
     /// @pre the present energy has been seen, or the same was said before
@@ -92,8 +87,6 @@ private:
         double contact_energy = 0;     ///< by which contacts and fail-safe have changed the energy since the step [J]
         Power contact_power;           ///< and the power
     };
-
-    void changed_after_step(const EnergyFlow& before, const EnergyFlow& after);
 
     Entry now_, marked_;
 };

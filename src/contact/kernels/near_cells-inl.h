@@ -12,10 +12,7 @@ HWY_INLINE Real longest_side_square(const Patch& corners) {
     Real square = 0;
     const Patch cells{corners.x, corners.y, corners.z, corners.columns - 1, 1, corners.stride};
     with_vectors_for(cells.columns, [&](auto d) HWY_ATTR {
-        const auto particles = [&](int p) HWY_ATTR {
-            return Lanes3<hn::Vec<decltype(d)>>{hn::LoadU(d, cells.x + p), hn::LoadU(d, cells.y + p),
-                                                hn::LoadU(d, cells.z + p)};
-        };
+        const auto particles = [&](int p) HWY_ATTR { return particles_from(d, cells, p); };
         auto longest = hn::Zero(d);
         // Where the first of two is not a number, x86 takes the second; elsewhere all cells are near
         const auto see = [&](const auto& from, const auto& to) HWY_ATTR {
