@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -140,6 +141,8 @@ void find_again(const ContactProblem& problem, ContactRow& row, RowState& state)
 struct Sweeps {
     int count = 0;
     Real residual = 0;  ///< largest change of a contact's motion in the last one [m or m/s]
+
+    Sweeps operator+(const Sweeps& other) const { return {count + other.count, std::max(residual, other.residual)}; }
 };
 
 /// Chooses the contacts that a solve is about, of those in the response under way.
@@ -166,16 +169,15 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
 /// @param friction_alone impulses along the normals stay as they are
 [[nodiscard]] Sweeps solve(ContactProblem& problem, ContactMotion& motion, bool friction_alone = false);
 
+// What the responses are made of, each in a file of its own. Residuals are in displacements [m].
+
+/// Puts all contacts back onto their planes.
+[[nodiscard]] Sweeps respond_by_projection(ContactProblem& problem);
+
 /// Gives impulses to the contacts that are impacts.
-Sweeps solve_impacts(ContactProblem& problem);
+[[nodiscard]] Sweeps respond_by_impulses(ContactProblem& problem);
 
 /// Pushes by springs and dampers at the chosen contacts, which have entered.
-Sweeps solve_penalties(ContactProblem& problem);
-
-/// The responses, each in a file of its own.
-[[nodiscard]] ResponseReport respond_by_projection(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_impulses(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
+[[nodiscard]] Sweeps respond_by_penalties(ContactProblem& problem);
 
 }  // namespace drape
