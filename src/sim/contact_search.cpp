@@ -22,7 +22,7 @@ void ContactSearch::build_from(const Points& x) {
 void ContactSearch::build(const MovingCloth& cloth, const ContactSettings& contact) {
     build_from(cloth.x);
     looks_back_ = contact.continuous != Continuous::Never;
-    moved_ = looks_back_ ? largest_displacement(cloth.x, cloth.before, kernels_) : 0;
+    moved_ = looks_back_ ? largest_displacement(cloth.x, cloth.before) : 0;
 }
 
 Real ContactSearch::reach(const Body& body, Real thickness) const {

@@ -34,7 +34,7 @@ std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size
 void mark_crossing(const MovingCloth& cloth, std::span<const Body> bodies, const Settings& settings, const Substep& now,
                    StepReport& report) {
     constexpr double calm = 0.5;  // s, between one danger and the next
-    const Real moved = largest_displacement(cloth.x, cloth.before, settings.solver.kernels);
+    const Real moved = largest_displacement(cloth.x, cloth.before);
     Real nearer = 0, radius = 0, beyond = 0;  // of what is farthest beyond where it becomes possible
     for (const Body& body : bodies) {
         if (body.is_ground()) continue;

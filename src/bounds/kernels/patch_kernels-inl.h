@@ -72,20 +72,6 @@ void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Re
     });
 }
 
-Real largest_displacement_square_of(const Patch& now, const Patch& before) {
-    Real largest = 0;
-    with_vectors_for(now.columns, [&](auto d) HWY_ATTR {
-        auto far = hn::Zero(d);
-        for_each_vector(d, now, [&](int i, int j) HWY_ATTR {
-            const auto moved =
-                minus(particles_from(d, now, j * now.stride + i), particles_from(d, before, j * before.stride + i));
-            far = hn::Max(far, dot(moved, moved));
-        });
-        largest = largest_lane(d, far);
-    });
-    return largest;
-}
-
 }  // namespace drape::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -94,16 +80,11 @@ namespace drape::kernels {
 
 HWY_EXPORT(sums_of);
 HWY_EXPORT(raise_to_farthest_of);
-HWY_EXPORT(largest_displacement_square_of);
 
 PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
 
 void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real* squares) {
     HWY_DYNAMIC_DISPATCH(raise_to_farthest_of)(patch, centres, count, squares);
-}
-
-Real largest_displacement_square(const Patch& now, const Patch& before) {
-    return HWY_DYNAMIC_DISPATCH(largest_displacement_square_of)(now, before);
 }
 
 }  // namespace drape::kernels
