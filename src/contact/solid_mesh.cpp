@@ -9,6 +9,7 @@
 #include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/solid_shape.h"
+#include "grid_features.h"
 #include "pairs/pair_tests.h"
 
 namespace drape {
@@ -177,12 +178,9 @@ private:
     /// The normal of the feature that is closest: a triangle, or an edge or a corner of it.
     [[nodiscard]] Vec3 pseudonormal(const ClosestFeature& closest) const {
         const std::array<Real, 3>& weights = closest.point.barycentric;
-        const auto zeros = std::ranges::count(weights, Real(0));
-        if (zeros == 0) return triangle_normals_[static_cast<std::size_t>(closest.triangle)];
-        if (zeros == 1) {
-            const auto opposite = static_cast<std::size_t>(std::ranges::find(weights, Real(0)) - weights.begin());
-            return edge_normals_.at(edge(closest.triangle, opposite));
-        }
+        const OnTriangle on = feature_at(weights);
+        if (on.zeros == 0) return triangle_normals_[static_cast<std::size_t>(closest.triangle)];
+        if (on.zeros == 1) return edge_normals_.at(edge(closest.triangle, on.opposite));
         const auto corner = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
         const auto& corners = mesh_.triangles[static_cast<std::size_t>(closest.triangle)];
         return mesh_.normals[static_cast<std::size_t>(corners[corner])];

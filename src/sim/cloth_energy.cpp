@@ -172,14 +172,13 @@ void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) 
     before_ = pushed_flow(model, state);
 }
 
-bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
-    if (pushed_.first_column >= pushed_.end_column) return false;
+void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
+    if (pushed_.first_column >= pushed_.end_column) return;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_.energy.total();
     const bool measured = max_push_work_ > watch_.small_work();
     watch_.give(std::max(measured ? work : ball_work + max_push_work_, 0.0));
     if (ledger_) ledger_->responded(loss_, known_ ? after : before_, after, ball_work);
-    return true;
 }
 
 /// Of what is being pushed, where it is to be measured.

@@ -158,8 +158,8 @@ void ContactStage::push(std::span<const ContactRow> rows, bool known, Give give)
             return row.has_impulse() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
         });
         const double by_kinematic = known ? 0 : work_of_kinematic_bodies(own, now_.bodies);
-        const double work = by_kinematic + (takes ? free_work : 0);
-        if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
+        cloth.energy.after_pushes(cloth.model, cloth.state, by_kinematic + (takes ? free_work : 0));
+        if (takes) free_work = 0;
     }
 }
 

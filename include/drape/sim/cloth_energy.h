@@ -131,8 +131,7 @@ public:
 
     /// They have, and that is entered.
     /// @param ball_work by balls on the cloth [J]
-    /// @return whether anything has pushed it
-    bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work = 0);
+    void after_pushes(const ClothModel& model, const ClothState& state, double ball_work = 0);
 
     /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
     void pushed(double work) {
