@@ -106,7 +106,7 @@ void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vecto
 
 /// What a limited search has invented: how many of the nodes at which it has ended give a contact with a ball although
 /// no triangle within them touches it.
-/// @par Cost O(cells + nodes * touched triangles): for charts, not for the clock
+/// @par Cost O(cells of the nodes): for charts, not for the clock
 std::int64_t count_false_contacts(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
                                   std::span<const StoppedNode> nodes);
 
