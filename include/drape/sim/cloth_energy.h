@@ -103,13 +103,9 @@ public:
     /// Hand, pins, ball or wind have put in at least this [J].
     void give(double work) { watch_.give(work); }
 
-    /// Remembers the entries so far, and forgets those since.
-    void mark() {
-        if (ledger_) ledger_->mark();
-    }
-    void return_to_mark() {
-        if (ledger_) ledger_->return_to_mark();
-    }
+    /// Remembers the entries so far; forgets those since.
+    void mark() { marked_ = ledger_; }
+    void return_to_mark() { ledger_ = marked_; }
 
     /// The integrator is about to step.
     /// @param grabbed particle that the hand leads; below 0: none
@@ -162,7 +158,7 @@ private:
 
     Kernels kernels_ = Kernels::Plain;
     EnergyWatch watch_;
-    std::optional<EnergyLedger> ledger_;
+    std::optional<EnergyLedger> ledger_, marked_;
     bool has_pins_ = false;
     int grabbed_ = -1;                       ///< particle that the hand leads
     GridRange pushed_{0, 0, 0, 0};           ///< particles that are being pushed; all, where none is measured
