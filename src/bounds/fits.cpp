@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <type_traits>
 
 #include "drape/bounds/cloth_quadtree.h"
@@ -28,6 +29,30 @@ Volume fit_by_kernels(const Patch& patch) {
     }
 }
 
+/// A few rows of all leaves side by side, then a few more, in the order in which particles are in memory: leaf by leaf,
+/// rows of a large cloth drive each other out of the cache. A small cloth stays there.
+void fit_leaf_boxes(const Grid& grid, std::span<const QuadtreeNode> nodes, std::span<const int> leaves, const Points& x,
+                    std::span<Aabb> boxes) {
+    const auto node = [&](int n) -> const QuadtreeNode& { return nodes[static_cast<std::size_t>(n)]; };
+    while (!leaves.empty()) {
+        const QuadtreeNode& first = node(leaves[0]);
+        const auto end = std::ranges::find_if(leaves, [&](int n) { return node(n).j0 != first.j0; });
+        const std::span<const int> beside(leaves.begin(), end);
+        const int rows_at_once = grid.nx < 256 ? first.j1 - first.j0 + 1 : 4;
+        for (int j = first.j0; j <= first.j1; j += rows_at_once) {
+            for (const int leaf : beside) {
+                const auto [i0, j0, i1, j1] = static_cast<const CellRange&>(node(leaf));
+                const Aabb some =
+                    fit_by_kernels<Aabb>(patch_of(grid, {i0, j, i1, std::min(j + rows_at_once - 1, j1)}, x));
+                Aabb& box = boxes[static_cast<std::size_t>(leaf)];
+                if (j == j0) box = some;
+                box.include(some);
+            }
+        }
+        leaves = leaves.subspan(beside.size());
+    }
+}
+
 }  // namespace
 
 template <BoundingVolume Volume>
@@ -40,7 +65,7 @@ Fits<Volume> fits_of(const BroadPhaseParameters& parameters) {
                 .tree = at_once ? kernels::fit_centroid_tree : nullptr};
     } else if constexpr (std::is_same_v<Volume, Aabb>) {
         if (plain) return {.patch = Aabb::fit};
-        return {.patch = fit_by_kernels<Aabb>, .leaves = kernels::fit_leaf_boxes};
+        return {.patch = fit_by_kernels<Aabb>, .leaves = fit_leaf_boxes};
     } else {
         return {.patch = plain ? Volume::fit : fit_by_kernels<Volume>};
     }

@@ -3,37 +3,33 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/patch_kernels.h"
-
 namespace drape {
 namespace {
-
-Real largest_square(const Patch& now, const Patch& before) {
-    Real square = 0;
-    for (int j = 0; j < now.rows; ++j) {
-        for (int i = 0; i < now.columns; ++i) {
-            square = std::max(square, (now.at(i, j) - before.at(i, j)).squaredNorm());
-        }
-    }
-    return square;
-}
 
 /// All of some points, row by row.
 Patch patch_at(const Points& x, int columns, int rows) {
     return {x.col(0).data(), x.col(1).data(), x.col(2).data(), columns, rows, columns};
 }
 
-Real displacement_of(const Patch& now, const Patch& before, Kernels kernels) {
-    const Real square =
-        kernels == Kernels::Plain ? largest_square(now, before) : kernels::largest_displacement_square(now, before);
-    return std::sqrt(square) * rounded_up;
+/// One coordinate of the particles of a patch.
+auto coordinates(const Patch& patch, const Real* from) {
+    using Coordinates = Eigen::Array<Real, Eigen::Dynamic, Eigen::Dynamic>;
+    return Eigen::Map<const Coordinates, 0, Eigen::OuterStride<>>(from, patch.columns, patch.rows,
+                                                                  Eigen::OuterStride<>(patch.stride));
+}
+
+Real largest_displacement(const Patch& now, const Patch& before) {
+    const auto square = [&](const Real* Patch::*of) {
+        return (coordinates(now, now.*of) - coordinates(before, before.*of)).square();
+    };
+    return std::sqrt(((square(&Patch::x) + square(&Patch::y)) + square(&Patch::z)).maxCoeff()) * rounded_up;
 }
 
 }  // namespace
 
-Real largest_displacement(const Points& x, const Points& before, Kernels kernels) {
+Real largest_displacement(const Points& x, const Points& before) {
     const int n = static_cast<int>(x.rows());
-    return displacement_of(patch_at(x, n, 1), patch_at(before, n, 1), kernels);
+    return largest_displacement(patch_at(x, n, 1), patch_at(before, n, 1));
 }
 
 void LeafCopies::take(std::size_t leaf, const Patch& patch) {
@@ -45,8 +41,8 @@ void LeafCopies::take(std::size_t leaf, const Patch& patch) {
     }
 }
 
-Real LeafCopies::displacement(std::size_t leaf, const Patch& patch, Kernels kernels) const {
-    return displacement_of(patch, patch_at(copies_[leaf], patch.columns, patch.rows), kernels);
+Real LeafCopies::displacement(std::size_t leaf, const Patch& patch) const {
+    return largest_displacement(patch, patch_at(copies_[leaf], patch.columns, patch.rows));
 }
 
 }  // namespace drape

@@ -9,6 +9,7 @@
 #include "drape/base/assert.h"
 #include "drape/contact/closest_point.h"
 #include "drape/contact/solid_shape.h"
+#include "grid_features.h"
 #include "pairs/pair_tests.h"
 
 namespace drape {
@@ -84,15 +85,16 @@ Real square_between(const std::array<Vec3, 3>& first, const std::array<Vec3, 3>&
     return square;
 }
 
-/// Some of the triangles, or one.
-struct Subtree {
-    MeshBox box;
-    int node = -1;   ///< index of the node with its two halves; -1: a single triangle
-    int index = -1;  ///< of that triangle in the order of the tree
-};
+/// Some of the triangles in the order of the tree, and the number of their box. Those of their halves follow: a range
+/// of n triangles has 2 n - 1 boxes.
+struct MeshRange {
+    std::size_t box, first, count;
 
-/// The two halves of a subtree, side by side in memory, because a search always looks at both.
-using MeshNode = std::array<Subtree, 2>;
+    [[nodiscard]] std::array<MeshRange, 2> halves() const {
+        const std::size_t half = count / 2;
+        return {MeshRange{box + 1, first, half}, MeshRange{box + 2 * half, first + half, count - half}};
+    }
+};
 
 /// The closest of the triangles seen so far.
 struct ClosestFeature {
@@ -107,15 +109,21 @@ public:
         DRAPE_ASSERT(!mesh_.triangles.empty());
         weigh_normals();
         std::iota(order_.begin(), order_.end(), 0);
-        nodes_.reserve(order_.size());
-        all_ = build(0, static_cast<int>(order_.size()));
-        corners_.reserve(order_.size());
+        boxes_.reserve(2 * order_.size());
+        build(order_);
         for (const int t : order_) corners_.push_back({point(t, 0), point(t, 1), point(t, 2)});
     }
 
     [[nodiscard]] SurfaceDistance measure(const Vec3& p) const override {
         ClosestFeature closest;
-        search(all_, p, closest);
+        const auto look = [&](std::size_t k) {
+            const auto& [a, b, c] = corners_[k];
+            const ClosestPoint found = closest_point_on_triangle(p, a, b, c);
+            const Real square = (found.point - p).squaredNorm();
+            if (square < closest.square) closest = {square, order_[k], found};
+        };
+        search(
+            {0, 0, order_.size()}, closest.square, [&](const MeshBox& box) { return square_to(box, p); }, look);
         DRAPE_ASSERT(closest.triangle >= 0);
         const Vec3 feature_normal = pseudonormal(closest), offset = p - closest.point.point;
         const Real distance = std::sqrt(closest.square), sign = offset.dot(feature_normal) < 0 ? Real(-1) : Real(1);
@@ -125,14 +133,16 @@ public:
     [[nodiscard]] Real clearance(const std::array<Vec3, 3>& triangle, Real asked) const override {
         MeshBox box;
         for (const Vec3& corner : triangle) box.extend(corner);
-        Real square = asked * asked;
-        near(all_, triangle, box, square);
+        Real square = asked * asked;  // less than zero, which ends the search, once the triangle is pierced
+        search(
+            {0, 0, order_.size()}, square, [&](const MeshBox& other) { return square_between(other, box); },
+            [&](std::size_t k) { square = square_between(triangle, corners_[k], square); });
         if (square < 0) return SolidShape::clearance(triangle, asked);
         return std::sqrt(square) * (1 - bound_rounding);
     }
 
     [[nodiscard]] bool is_convex() const override { return false; }
-    [[nodiscard]] std::array<Vec3, 2> extent() const override { return {all_.box.min(), all_.box.max()}; }
+    [[nodiscard]] std::array<Vec3, 2> extent() const override { return {boxes_[0].min(), boxes_[0].max()}; }
 
     [[nodiscard]] TriangleMesh surface() const override { return mesh_; }
 
@@ -168,12 +178,9 @@ private:
     /// The normal of the feature that is closest: a triangle, or an edge or a corner of it.
     [[nodiscard]] Vec3 pseudonormal(const ClosestFeature& closest) const {
         const std::array<Real, 3>& weights = closest.point.barycentric;
-        const auto zeros = std::ranges::count(weights, Real(0));
-        if (zeros == 0) return triangle_normals_[static_cast<std::size_t>(closest.triangle)];
-        if (zeros == 1) {
-            const auto opposite = static_cast<std::size_t>(std::ranges::find(weights, Real(0)) - weights.begin());
-            return edge_normals_.at(edge(closest.triangle, opposite));
-        }
+        const OnTriangle on = feature_at(weights);
+        if (on.zeros == 0) return triangle_normals_[static_cast<std::size_t>(closest.triangle)];
+        if (on.zeros == 1) return edge_normals_.at(edge(closest.triangle, on.opposite));
         const auto corner = static_cast<std::size_t>(std::ranges::max_element(weights) - weights.begin());
         const auto& corners = mesh_.triangles[static_cast<std::size_t>(closest.triangle)];
         return mesh_.normals[static_cast<std::size_t>(corners[corner])];
@@ -185,60 +192,38 @@ private:
         return box;
     }
 
-    /// Of a range of the order, which it halves by the middles of the triangles' boxes along the longest side of all.
-    Subtree build(int first, int count) {
-        Subtree subtree;
-        const auto begin = order_.begin() + first;
-        for (const int t : std::span(begin, static_cast<std::size_t>(count))) subtree.box.extend(box_of(t));
-        if (count == 1) {
-            subtree.index = first;
-            return subtree;
-        }
+    /// Of some triangles, which it halves by the middles of their boxes along the longest side of all.
+    void build(std::span<int> triangles) {
+        MeshBox all;
+        for (const int t : triangles) all.extend(box_of(t));
+        boxes_.push_back(all);
+        if (triangles.size() == 1) return;
         Eigen::Index axis = 0;
-        subtree.box.sizes().maxCoeff(&axis);
-        std::ranges::sort(begin, begin + count, {}, [&](int t) { return std::pair(box_of(t).center()[axis], t); });
-        const std::size_t node = nodes_.size();
-        subtree.node = static_cast<int>(node);
-        nodes_.emplace_back();
-        const Subtree left = build(first, count / 2), right = build(first + count / 2, count - count / 2);
-        nodes_[node] = {left, right};
-        return subtree;
+        all.sizes().maxCoeff(&axis);
+        std::ranges::sort(triangles, {}, [&](int t) { return std::pair(box_of(t).center()[axis], t); });
+        const std::size_t half = triangles.size() / 2;
+        build(triangles.first(half));
+        build(triangles.subspan(half));
     }
 
-    void search(const Subtree& subtree, const Vec3& p, ClosestFeature& closest) const {
-        if (subtree.node < 0) return look_at(static_cast<std::size_t>(subtree.index), p, closest);
-        const auto& [left, right] = nodes_[static_cast<std::size_t>(subtree.node)];
-        const Real to_left = square_to(left.box, p), to_right = square_to(right.box, p);
-        const bool right_first = to_right < to_left;
-        if (std::min(to_left, to_right) < closest.square) search(right_first ? right : left, p, closest);
-        if (std::max(to_left, to_right) < closest.square) search(right_first ? left : right, p, closest);
-    }
-
-    /// @param square of the least distance so far; less than zero, which ends the search, once the triangle is pierced
-    void near(const Subtree& subtree, const std::array<Vec3, 3>& triangle, const MeshBox& box, Real& square) const {
-        if (subtree.node < 0) {
-            square = square_between(triangle, corners_[static_cast<std::size_t>(subtree.index)], square);
-            return;
-        }
-        const auto& [left, right] = nodes_[static_cast<std::size_t>(subtree.node)];
-        const Real to_left = square_between(left.box, box), to_right = square_between(right.box, box);
-        const bool right_first = to_right < to_left;
-        if (std::min(to_left, to_right) < square) near(right_first ? right : left, triangle, box, square);
-        if (std::max(to_left, to_right) < square) near(right_first ? left : right, triangle, box, square);
-    }
-
-    void look_at(std::size_t index, const Vec3& p, ClosestFeature& closest) const {
-        const auto& [a, b, c] = corners_[index];
-        const ClosestPoint found = closest_point_on_triangle(p, a, b, c);
-        const Real square = (found.point - p).squaredNorm();
-        if (square < closest.square) closest = {square, order_[index], found};
+    /// Into both halves of a range, the nearer first, as far as their boxes are nearer than what was found.
+    /// @param square of the least distance so far
+    /// @param square_to square_to(box) of the distance of a box
+    /// @param look look(k) at the k-th triangle of the order may find a lesser one
+    template <class SquareTo, class Look>
+    void search(const MeshRange& range, const Real& square, const SquareTo& square_to, const Look& look) const {
+        if (range.count == 1) return look(range.first);
+        auto [near, far] = range.halves();
+        Real to_near = square_to(boxes_[near.box]), to_far = square_to(boxes_[far.box]);
+        if (to_far < to_near) std::swap(near, far), std::swap(to_near, to_far);
+        if (to_near < square) search(near, square, square_to, look);
+        if (to_far < square) search(far, square, square_to, look);
     }
 
     TriangleMesh mesh_;
     std::vector<int> order_;                    ///< of the triangles, as the tree has them
     std::vector<std::array<Vec3, 3>> corners_;  ///< of the triangles in that order
-    std::vector<MeshNode> nodes_;
-    Subtree all_;
+    std::vector<MeshBox> boxes_;                ///< of ranges of it, see `MeshRange`
     std::vector<Vec3> triangle_normals_;
     std::map<std::pair<int, int>, Vec3> edge_normals_;
 };

@@ -36,8 +36,11 @@ double search_time(const FrameView& view, const BroadPhaseParameters& parameters
             const Points& x = view.cloths[c].x;
             const MovingCloth cloth{view.cloths[c].model.grid, x, x};
             searches[c].build(cloth, contact);
-            searches[c].traverse(view.balls, contact.thickness);
-            searches[c].narrow(cloth, view.balls, contact.thickness, 0, contacts);
+            for (std::size_t b = 0; b < view.balls.size(); ++b) {
+                const Body ball = body_of(view.balls[b], contact);
+                searches[c].traverse(ball, b, contact.thickness);
+                searches[c].narrow(cloth, ball, b, contact.thickness, 0, contacts);
+            }
         }
         least = std::min(least, watch.seconds());
     }

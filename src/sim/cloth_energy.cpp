@@ -156,6 +156,7 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int grabbed, C
 /// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
     pushed_ = {0, 0, 0, 0};
+    loss_ = &EnergyBalance::contact;
     known_ = pushes.known;
     if (std::ranges::none_of(pushes.rows, [&](const ContactRow& row) { return moves(row, pushes.cloth); })) return;
     max_push_work_ = max_push_work(model, pushes);
@@ -163,29 +164,21 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
     before_ = pushed_flow(model, state);
 }
 
-bool ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
-    if (pushed_.first_column >= pushed_.end_column) return false;
+void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
+    pushed_ = whole(model.grid);
+    loss_ = &EnergyBalance::failsafe;
+    known_ = false;
+    max_push_work_ = std::numeric_limits<double>::infinity();
+    before_ = pushed_flow(model, state);
+}
+
+void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
+    if (pushed_.first_column >= pushed_.end_column) return;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_.energy.total();
     const bool measured = max_push_work_ > watch_.small_work();
     watch_.give(std::max(measured ? work : ball_work + max_push_work_, 0.0));
-    if (!ledger_) return true;
-    if (known_) {
-        ledger_->pushed_by_balls(ball_work);
-    } else {
-        ledger_->responded(before_, after, ball_work);
-    }
-    return true;
-}
-
-void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
-    before_ = compute_energy_around(model, state.x, state.v, whole(model.grid), kernels_);
-}
-
-void ClothEnergy::after_hold(const ClothModel& model, const ClothState& state) {
-    const EnergyFlow after = compute_energy_around(model, state.x, state.v, whole(model.grid), kernels_);
-    watch_.give(std::max(after.energy.total() - before_.energy.total(), 0.0));
-    if (ledger_) ledger_->prevented_crossing(before_, after);
+    if (ledger_) ledger_->responded(loss_, known_ ? after : before_, after, ball_work);
 }
 
 /// Of what is being pushed, where it is to be measured.

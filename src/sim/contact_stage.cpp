@@ -17,6 +17,8 @@ std::vector<ClothInContact> at_present(std::span<Cloth> cloths) {
     return list;
 }
 
+bool is_limited(const Settings& settings) { return !broad_phase_of(settings).search.none(); }
+
 /// Of rows in the order of `compare`, those of one cloth and bodies.
 std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size_t cloth) {
     const auto is_its = [&](const ContactRow& row) {
@@ -32,7 +34,7 @@ std::span<const ContactRow> of_cloth(std::span<const ContactRow> rows, std::size
 void mark_crossing(const MovingCloth& cloth, std::span<const Body> bodies, const Settings& settings, const Substep& now,
                    StepReport& report) {
     constexpr double calm = 0.5;  // s, between one danger and the next
-    const Real moved = largest_displacement(cloth.x, cloth.before, settings.solver.kernels);
+    const Real moved = largest_displacement(cloth.x, cloth.before);
     Real nearer = 0, radius = 0, beyond = 0;  // of what is farthest beyond where it becomes possible
     for (const Body& body : bodies) {
         if (body.is_ground()) continue;
@@ -156,8 +158,8 @@ void ContactStage::push(std::span<const ContactRow> rows, bool known, Give give)
             return row.has_impulse() && now_.bodies[static_cast<std::size_t>(row.body)].inverse_mass > 0;
         });
         const double by_kinematic = known ? 0 : work_of_kinematic_bodies(own, now_.bodies);
-        const double work = by_kinematic + (takes ? free_work : 0);
-        if (cloth.energy.after_pushes(cloth.model, cloth.state, work) && takes) free_work = 0;
+        cloth.energy.after_pushes(cloth.model, cloth.state, by_kinematic + (takes ? free_work : 0));
+        if (takes) free_work = 0;
     }
 }
 
@@ -185,22 +187,23 @@ void ContactStage::build(StepReport& report) {
 void ContactStage::traverse(StepReport& report) {
     Stopwatch watch;
     for (Cloth& cloth : now_.moving.cloths) {
-        report.traversal += cloth.search.traverse(now_.moving.balls, now_.settings->contact.thickness);
+        for (std::size_t b = 0; b < now_.bodies.size(); ++b) {
+            const Body& body = now_.bodies[b];
+            const TraversalStats found = cloth.search.traverse(body, b, now_.settings->contact.thickness);
+            (body.is_ball() ? report.traversal : body.is_ground() ? report.ground : report.solids) += found;
+            if (body.is_ball()) report.false_candidates += found.candidates;
+        }
     }
     report.times.traverse += watch.lap();
 }
 
 void ContactStage::narrow(StepReport& report) {
-    const auto& [cloths, balls, solids] = now_.moving;
-    const Real thickness = now_.settings->contact.thickness;
+    const Real thickness = now_.settings->contact.thickness, longest_push = node_push_speed * now_.h;
     Stopwatch watch;
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        ContactSearch& search = cloths[c].search;
-        const MovingCloth cloth = motion_of(c);
-        report.false_candidates += search.narrow(cloth, balls, thickness, node_push_speed * now_.h, rows_);
-        for (std::size_t b = balls.size(); b < now_.bodies.size(); ++b) {
-            TraversalStats& stats = now_.bodies[b].is_ground() ? report.ground : report.solids;
-            stats += search.meet(cloth, now_.bodies[b], static_cast<int>(b), thickness, rows_);
+    for (std::size_t c = 0; c < now_.cloths.size(); ++c) {
+        ContactSearch& search = now_.moving.cloths[c].search;
+        for (std::size_t b = 0; b < now_.bodies.size(); ++b) {
+            report.false_candidates -= search.narrow(motion_of(c), now_.bodies[b], b, thickness, longest_push, rows_);
         }
     }
     report.times.narrow += watch.lap();
@@ -219,22 +222,23 @@ void ContactStage::narrow(StepReport& report) {
 
 void ContactStage::audit_search(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Found);
+    if (!is_limited(*now_.settings)) return;
     const std::span<const Ball> balls = now_.moving.balls;
-    for (Cloth& cloth : now_.moving.cloths) {
-        SearchAudit* const audit = cloth.search.audit();
-        for (std::size_t b = 0; audit != nullptr && b < balls.size(); ++b) {
-            report.false_contacts += audit->false_contacts(cloth.state.x, balls[b], now_.settings->contact.thickness,
-                                                           cloth.search.candidates(b).stopped);
+    for (const Cloth& cloth : now_.moving.cloths) {
+        for (std::size_t b = 0; b < balls.size(); ++b) {
+            report.false_contacts +=
+                count_false_contacts(cloth.model.grid, cloth.state.x, balls[b], now_.settings->contact.thickness,
+                                     cloth.search.candidates(b).stopped);
         }
     }
 }
 
 void ContactStage::audit_response(StepReport& report) {
     DRAPE_ASSERT(stage_ == Stage::Solved);
-    for (Cloth& cloth : now_.moving.cloths) {
-        SearchAudit* const audit = cloth.search.audit();
-        if (audit == nullptr) continue;
-        const Real missed = audit->penetration(cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
+    if (!is_limited(*now_.settings)) return;
+    for (const Cloth& cloth : now_.moving.cloths) {
+        const Real missed =
+            deepest_penetration(cloth.model.grid, cloth.state.x, now_.moving.balls, now_.settings->contact.thickness);
         report.missed_penetration = std::max(report.missed_penetration, static_cast<double>(missed));
     }
 }
@@ -264,7 +268,7 @@ void ContactStage::prevent_crossing(StepReport& report) {
         const std::span<Cloth> cloths = now_.moving.cloths;
         for (Cloth& cloth : cloths) cloth.energy.before_hold(cloth.model, cloth.state);
         report.failsafe_particles = self_.prevent_crossing(now_.cloths);
-        for (Cloth& cloth : cloths) cloth.energy.after_hold(cloth.model, cloth.state);
+        for (Cloth& cloth : cloths) cloth.energy.after_pushes(cloth.model, cloth.state);
         report.penetration = static_cast<double>(update_depths(now_.cloths, now_.bodies, rows_));
     }
     report.listed_pairs = self_.report().listed;

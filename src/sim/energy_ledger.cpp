@@ -23,68 +23,55 @@ EnergyBalance& EnergyBalance::operator+=(const EnergyBalance& other) {
 }
 
 void EnergyLedger::see(const EnergyFlow& now) {
-    const double change = now.energy.total() - now_.seen.energy.total();
-    if (now_.since == Since::Hand) now_.balance.hand += change - now_.contact_energy;
-    if (now_.since == Since::Pins) now_.balance.pins += change - now_.contact_energy;
-    if (now_.since == Since::Step) {
+    const double change = now.energy.total() - seen_.energy.total();
+    if (since_ == Since::Hand) balance_.hand += change - contact_energy_;
+    if (since_ == Since::Pins) balance_.pins += change - contact_energy_;
+    if (since_ == Since::Step) {
         // Both ends of the step. For damping and drag the later one is before the contacts, for wind, hand and pins
         // after them: what contacts change in these two within a step goes to the integrator
-        const double half = now_.h / 2;
-        const Power &first = now_.seen.power, &last = now.power, &contact = now_.contact_power;
+        const double half = h_ / 2;
+        const Power &first = seen_.power, &last = now.power, &contact = contact_power_;
         const double wind = half * (first.wind + last.wind), hand = half * (first.hand + last.hand);
         const double pins = half * (first.pins + last.pins);
         const double damping = half * (first.damping + last.damping - contact.damping);
         const double drag = half * (first.drag + last.drag - contact.drag);
-        now_.balance.wind += wind;
-        now_.balance.hand += hand;
-        now_.balance.pins += pins;
-        now_.balance.damping += damping;
-        now_.balance.drag += drag;
-        now_.balance.integrator += wind + hand + pins - damping - drag - (change - now_.contact_energy);
+        balance_.wind += wind;
+        balance_.hand += hand;
+        balance_.pins += pins;
+        balance_.damping += damping;
+        balance_.drag += drag;
+        balance_.integrator += wind + hand + pins - damping - drag - (change - contact_energy_);
     }
-    now_.seen = now;
-    now_.since = Since::Nothing;
-    now_.contact_energy = 0;
-    now_.contact_power = {};
+    seen_ = now;
+    since_ = Since::Nothing;
+    contact_energy_ = 0;
+    contact_power_ = {};
 }
 
 void EnergyLedger::integrated(Real h) {
-    now_.since = Since::Step;
-    now_.h = static_cast<double>(h);
+    since_ = Since::Step;
+    h_ = static_cast<double>(h);
 }
 
 void EnergyLedger::pushed(double work) {
-    now_.balance.contact -= work;
-    now_.contact_energy += work;
+    balance_.contact -= work;
+    contact_energy_ += work;
 }
 
-void EnergyLedger::pushed_by_balls(double work) {
-    now_.balance.ball += work;
-    now_.balance.contact += work;
-}
-
-void EnergyLedger::responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work) {
+void EnergyLedger::responded(double EnergyBalance::*loss, const EnergyFlow& before, const EnergyFlow& after,
+                             double ball_work) {
     const double change = after.energy.total() - before.energy.total();
-    now_.balance.ball += ball_work;
-    now_.balance.contact += ball_work - change;
-    changed_after_step(before, after);
-}
-
-void EnergyLedger::prevented_crossing(const EnergyFlow& before, const EnergyFlow& after) {
-    now_.balance.failsafe += before.energy.total() - after.energy.total();
-    changed_after_step(before, after);
-}
-
-void EnergyLedger::changed_after_step(const EnergyFlow& before, const EnergyFlow& after) {
-    now_.contact_energy += after.energy.total() - before.energy.total();
-    now_.contact_power.damping += after.power.damping - before.power.damping;
-    now_.contact_power.drag += after.power.drag - before.power.drag;
+    balance_.ball += ball_work;
+    balance_.*loss += ball_work - change;
+    contact_energy_ += change;
+    contact_power_.damping += after.power.damping - before.power.damping;
+    contact_power_.drag += after.power.drag - before.power.drag;
 }
 
 EnergyBalance EnergyLedger::balance(const EnergyFlow& now) const {
     EnergyLedger later = *this;
     later.see(now);
-    return later.now_.balance;
+    return later.balance_;
 }
 
 }  // namespace drape

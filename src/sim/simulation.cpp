@@ -127,7 +127,7 @@ void Simulation::rest() {
     if (report_.asleep) return;
     const Real speed = settings_.solver.sleep_speed;
     if (speed == 0 || settings_.wind.on || hand_.holds() || kinematic_body_has_moved()) return sleep_.restart();
-    if (sleep_.look(cloths_, balls_, report_.time, settings_.solver)) fall_asleep();
+    if (sleep_.look(cloths_, balls_, report_.time, speed)) fall_asleep();
 }
 
 bool Simulation::kinematic_body_has_moved() const {

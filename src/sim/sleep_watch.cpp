@@ -16,8 +16,8 @@ Real resting_distance(const ClothModel& model, Real speed) {
 
 }  // namespace
 
-bool RestWatch::look(const Points& x, double time, Real distance, Kernels kernels) {
-    if (!watching_ || largest_displacement(x, start_, kernels) > distance) {
+bool RestWatch::look(const Points& x, double time, Real distance) {
+    if (!watching_ || largest_displacement(x, start_) > distance) {
         watching_ = true;
         since_ = time;
         start_ = x;
@@ -37,17 +37,15 @@ bool SleepWatch::balls_rest(std::span<const Ball> balls, double time, Real speed
         centres_.row(static_cast<Eigen::Index>(b)) = balls[b].centre.transpose();
         if (balls[b].radius * balls[b].spin.norm() > speed) ball_watch_.restart();
     }
-    return ball_watch_.look(centres_, time, speed * static_cast<Real>(RestWatch::duration), Kernels::Plain);
+    return ball_watch_.look(centres_, time, speed * static_cast<Real>(RestWatch::duration));
 }
 
-bool SleepWatch::look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time,
-                      const SolverSettings& solver) {
+bool SleepWatch::look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time, Real speed) {
     watches_.resize(cloths.size());
-    bool all_rest = balls_rest(balls, time, solver.sleep_speed);
+    bool all_rest = balls_rest(balls, time, speed);
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         const Cloth& cloth = cloths[c];
-        const bool rests =
-            watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, solver.sleep_speed), solver.kernels);
+        const bool rests = watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, speed));
         all_rest = all_rest && rests;
     }
     return all_rest;

@@ -204,13 +204,11 @@ void ContactStage::exchange(SnapshotText& text, const ContactBodies& bodies, boo
 }
 
 void EnergyLedger::exchange(SnapshotText& text) {
-    EnergyBalance& entries = now_.balance;
-    text.line("ledger", entries.wind, entries.hand, entries.pins, entries.ball, entries.damping, entries.drag,
-              entries.contact, entries.failsafe, entries.integrator);
-    drape::exchange(text, now_.seen);
-    text.line("since", now_.since, within(now_.h, 0, 1), now_.contact_energy, now_.contact_power.damping,
-              now_.contact_power.drag, now_.contact_power.wind, now_.contact_power.hand, now_.contact_power.pins);
-    mark();
+    text.line("ledger", balance_.wind, balance_.hand, balance_.pins, balance_.ball, balance_.damping, balance_.drag,
+              balance_.contact, balance_.failsafe, balance_.integrator);
+    drape::exchange(text, seen_);
+    text.line("since", since_, within(h_, 0, 1), contact_energy_, contact_power_.damping, contact_power_.drag,
+              contact_power_.wind, contact_power_.hand, contact_power_.pins);
 }
 
 void Hand::exchange(SnapshotText& text, std::span<Cloth> cloths) {

@@ -81,7 +81,7 @@ Shots shoot(const BroadPhaseParameters& parameters, int steps, int balls) {
     for (int step = 0; step < steps; ++step) {
         sheet.swing();
         tree->build(sheet.to);
-        const Real moved = largest_displacement(sheet.to, sheet.from, Kernels::Vector);
+        const Real moved = largest_displacement(sheet.to, sheet.from);
         for (int shot = 0; shot < balls; ++shot) {
             const Ball ball = sheet.cross();
             const Real reach = moved + ball.moved.norm();

@@ -32,7 +32,7 @@ public:
     /// @param before positions at the start of the substep, for a ball that has moved
     bool agree(const Points& before, const Points& x, const Ball& ball) {
         const Real moved = ball.moved.norm();
-        const Real reach = moved > 0 ? moved + largest_displacement(x, before, Kernels::Plain) : Real(0);
+        const Real reach = moved > 0 ? moved + largest_displacement(x, before) : Real(0);
         for (Way* way : {&vector_, &plain_}) {
             way->tree->query(grown(ball, thickness_ + 2 * reach), way->found);
             std::ranges::sort(way->found.cells);

@@ -203,7 +203,7 @@ TEST(SolidContacts, AMeshOfABoxIsTouchedByTheTrianglesThatTouchTheBox) {
         x.col(1).array() -= Real(0.1) + Real(0.1) * uniform<Real>(random);
         const auto touched = [&](const Solid& solid) {
             std::vector<ContactRow> contacts;
-            const Real reach = largest_displacement(x, before, Kernels::Plain) + solid.moved.norm();
+            const Real reach = largest_displacement(x, before) + solid.moved.norm();
             SolidSearch().find({grid, before, x}, solid, {0, thickness, reach}, all_cells_of(grid), contacts);
             std::vector<int> triangles;
             for (const ContactRow& contact : contacts) {

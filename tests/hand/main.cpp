@@ -28,9 +28,8 @@ struct Sight {
     explicit Sight(const Simulation& simulation) {
         for (const Cloth& cloth : simulation.cloths()) {
             const Points& x = cloth.state.x;
-            SearchAudit audit(cloth.model.grid, Kernels::Vector);
             stretch = std::max(stretch, largest_stretch(cloth.model, x));
-            deepest = std::max(deepest, audit.penetration(x, simulation.balls(), 0));
+            deepest = std::max(deepest, deepest_penetration(cloth.model.grid, x, simulation.balls(), 0));
             lowest = std::min(lowest, x.col(1).minCoeff() - simulation.settings().ground.height);
             farthest = std::max(farthest, x.cwiseAbs().maxCoeff());
             finite = finite && x.allFinite() && cloth.state.v.allFinite();

@@ -43,7 +43,7 @@ struct BroadPhaseParameters {
     int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
     SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
-    Kernels kernels = Kernels::Vector;  ///< of fits and displacements
+    Kernels kernels = Kernels::Vector;  ///< of fits
     bool operator==(const BroadPhaseParameters&) const = default;
 };
 

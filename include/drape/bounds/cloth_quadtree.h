@@ -48,7 +48,6 @@ public:
     ClothQuadtree(const Grid& grid, const BroadPhaseParameters& parameters, Fits<Volume> fits)
         : grid_(grid),
           update_(parameters.update),
-          kernels_(parameters.kernels),
           limit_(parameters.search),
           fits_(fits),
           nodes_(make_quadtree_nodes(grid, parameters.leaf_cells)),
@@ -85,7 +84,7 @@ public:
                     rebuild(x);
                     held_ = x;
                 }
-                slack_ = largest_displacement(x, held_, kernels_);
+                slack_ = largest_displacement(x, held_);
                 break;
         }
         built_ = true;
@@ -299,7 +298,7 @@ private:
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !built_ || !(copies_.displacement(n, patch, kernels_) <= slack_);
+                stale_[n] = !built_ || !(copies_.displacement(n, patch) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
                 copies_.take(n, patch);
@@ -319,7 +318,6 @@ private:
 
     Grid grid_;
     UpdateKind update_;
-    Kernels kernels_;
     SearchLimit limit_;
     Fits<Volume> fits_;
     std::vector<QuadtreeNode> nodes_;

@@ -104,26 +104,14 @@ private:
 /// @par Cost O(balls bodies) distances
 void find_body_contacts(std::span<const Body> bodies, Real thickness, std::vector<ContactRow>& rows);
 
-/// Measures what a limited search gets wrong, by testing every cell exactly: for charts, not for the clock.
-class SearchAudit {
-public:
-    SearchAudit(const Grid& grid, Kernels kernels);
+/// What a limited search has invented: how many of the nodes at which it has ended give a contact with a ball although
+/// no triangle within them touches it.
+/// @par Cost O(cells of the nodes): for charts, not for the clock
+std::int64_t count_false_contacts(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
+                                  std::span<const StoppedNode> nodes);
 
-    /// How many of the nodes give a contact although no triangle within them touches the ball.
-    /// @param nodes at which the search for this ball has ended
-    /// @par Cost O(cells + nodes * touched triangles)
-    std::int64_t false_contacts(const Points& x, const Ball& ball, Real thickness, std::span<const StoppedNode> nodes);
-
-    /// The largest depth of any triangle in any ball, 0 if none touches [m].
-    /// @par Cost O(cells * balls)
-    Real penetration(const Points& x, std::span<const Ball> balls, Real thickness);
-
-private:
-    Grid grid_;
-    Kernels kernels_;
-    std::vector<CellRun> cells_;  ///< all there are
-    std::vector<int> triangles_;
-    std::vector<ContactRow> rows_;
-};
+/// And what it has let through: the largest depth of any triangle in any ball, 0 if none touches [m].
+/// @par Cost O(cells * balls)
+Real deepest_penetration(const Grid& grid, const Points& x, std::span<const Ball> balls, Real thickness);
 
 }  // namespace drape

@@ -72,8 +72,7 @@ private:
     [[nodiscard]] const ClothState& free_state_of(int cloth) const { return free_[static_cast<std::size_t>(cloth)]; }
     [[nodiscard]] int zone_of(const NearPair& pair, std::size_t k) const;
     [[nodiscard]] FeatureMotion motion_of(const NearPair& pair, bool freely) const;
-    [[nodiscard]] bool within_one_zone(const NearPair& pair) const;
-    [[nodiscard]] int largest_zone_of(const NearPair& pair) const;
+    [[nodiscard]] bool keeps_together(const NearPair& pair) const;
     void join(const NearPair& pair, Real part);
     template <class Own>
     [[nodiscard]] Vec3 mean(const Zone& zone, Own own) const;

@@ -11,7 +11,7 @@
 
 namespace drape {
 
-/// How contacts are answered; each has a file of its own in src/contact/solve.
+/// How contacts are answered; src/contact/solve has a file for each but the last, which joins two.
 enum class ResponseKind {
     Projection,  ///< positions are put back onto the surface, then velocities stopped
     Penalty,     ///< a spring and a damper push out what has entered

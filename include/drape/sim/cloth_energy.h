@@ -103,13 +103,9 @@ public:
     /// Hand, pins, ball or wind have put in at least this [J].
     void give(double work) { watch_.give(work); }
 
-    /// Remembers the entries so far, and forgets those since.
-    void mark() {
-        if (ledger_) ledger_->mark();
-    }
-    void return_to_mark() {
-        if (ledger_) ledger_->return_to_mark();
-    }
+    /// Remembers the entries so far; forgets those since.
+    void mark() { marked_ = ledger_; }
+    void return_to_mark() { ledger_ = marked_; }
 
     /// The integrator is about to step.
     /// @param grabbed particle that the hand leads; below 0: none
@@ -125,22 +121,18 @@ public:
     /// @param grabbed particle that the hand leads; below 0: none
     StretchReport limit_stretch(const ClothModel& model, int grabbed, ClothState& state);
 
-    /// Contacts are about to push the cloth.
+    /// Contacts are about to push the cloth, or the fail-safe of contact between cloths to hold it back.
     void before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes);
+    void before_hold(const ClothModel& model, const ClothState& state);
 
     /// They have, and that is entered.
     /// @param ball_work by balls on the cloth [J]
-    /// @return whether anything has pushed it
-    bool after_pushes(const ClothModel& model, const ClothState& state, double ball_work);
+    void after_pushes(const ClothModel& model, const ClothState& state, double ball_work = 0);
 
     /// In the end of a substep: the work of known pushes, as forces along all of its motion [J].
     void pushed(double work) {
         if (ledger_) ledger_->pushed(work);
     }
-
-    /// The fail-safe of contact between cloths is about to hold the cloth back, and has done so.
-    void before_hold(const ClothModel& model, const ClothState& state);
-    void after_hold(const ClothModel& model, const ClothState& state);
 
     /// Velocities are about to be set to zero by sleep.
     void still(const ClothModel& model, const ClothState& state);
@@ -166,11 +158,12 @@ private:
 
     Kernels kernels_ = Kernels::Plain;
     EnergyWatch watch_;
-    std::optional<EnergyLedger> ledger_;
+    std::optional<EnergyLedger> ledger_, marked_;
     bool has_pins_ = false;
-    int grabbed_ = -1;              ///< particle that the hand leads
-    GridRange pushed_{0, 0, 0, 0};  ///< particles that are being pushed; all, where none is measured
-    EnergyFlow before_;             ///< of what contacts or the fail-safe are about to push
+    int grabbed_ = -1;                       ///< particle that the hand leads
+    GridRange pushed_{0, 0, 0, 0};           ///< particles that are being pushed; all, where none is measured
+    EnergyFlow before_;                      ///< of what contacts or the fail-safe are about to push
+    double EnergyBalance::*loss_ = nullptr;  ///< the entry for what this dissipates
     bool known_ = false;
     double max_push_work_ = 0;  ///< a bound [J]
     Points wind_;               ///< scratch, while a ledger is kept

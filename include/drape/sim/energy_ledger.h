@@ -39,7 +39,7 @@ public:
     /// What has happened since the energy was last seen: nothing, a step, or a change by the hand or the pins.
     enum class Since { Nothing, Step, Hand, Pins };
 
-    explicit EnergyLedger(const EnergyFlow& now) { now_.seen = now; }
+    explicit EnergyLedger(const EnergyFlow& now) : seen_(now) {}
 
     /// @param now energy of the present state, and its flow
     void see(const EnergyFlow& now);
@@ -52,50 +52,34 @@ public:
     /// @param work by them [J]
     void pushed(double work);
 
-    /// Balls have given that much of it [J].
-    void pushed_by_balls(double work);
-
-    /// Contacts were answered.
-    /// @param before,after of the part of the cloth that this may have moved
-    /// @param ball_work as the response reports it [J]
-    void responded(const EnergyFlow& before, const EnergyFlow& after, double ball_work);
-
-    /// The fail-safe of contact between cloths has held the cloth back.
-    /// @param before,after of the whole cloth
-    void prevented_crossing(const EnergyFlow& before, const EnergyFlow& after);
+    /// Contacts were answered, or the fail-safe has held the cloth back.
+    /// @param loss the entry for what that dissipates
+    /// @param before,after of the part of the cloth that this may have moved; both the same if it gives what `pushed`
+    /// is told of
+    /// @param ball_work by balls [J]
+    void responded(double EnergyBalance::*loss, const EnergyFlow& before, const EnergyFlow& after, double ball_work);
 
     /// State or model are about to be changed from outside, which is the work of the hand or of pins.
     /// @pre the present energy has been seen, or the same was said before
-    void touched(Since by) { now_.since = by; }
+    void touched(Since by) { since_ = by; }
 
     /// Whether the energy must be seen before a change from outside.
-    [[nodiscard]] bool must_see(Since by) const { return now_.since != Since::Nothing && now_.since != by; }
+    [[nodiscard]] bool must_see(Since by) const { return since_ != Since::Nothing && since_ != by; }
 
     /// Since the ledger began.
     /// @param now as for `see`
     [[nodiscard]] EnergyBalance balance(const EnergyFlow& now) const;
 
-    /// Remembers the entries so far, and forgets those since.
-    void mark() { marked_ = now_; }
-
     /// What it goes on from.
     void exchange(SnapshotText& text);
 
-    void return_to_mark() { now_ = marked_; }
-
 private:
-    struct Entry {
-        EnergyBalance balance;
-        EnergyFlow seen;
-        Since since = Since::Nothing;  ///< what has happened since then
-        double h = 0;                  ///< of the step [s]
-        double contact_energy = 0;     ///< by which contacts and fail-safe have changed the energy since the step [J]
-        Power contact_power;           ///< and the power
-    };
-
-    void changed_after_step(const EnergyFlow& before, const EnergyFlow& after);
-
-    Entry now_, marked_;
+    EnergyBalance balance_;
+    EnergyFlow seen_;
+    Since since_ = Since::Nothing;  ///< what has happened since then
+    double h_ = 0;                  ///< of the step [s]
+    double contact_energy_ = 0;     ///< by which contacts and fail-safe have changed the energy since the step [J]
+    Power contact_power_;           ///< and the power
 };
 
 }  // namespace drape

@@ -3,7 +3,6 @@
 #include <span>
 #include <vector>
 
-#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
 
 namespace drape {
@@ -28,7 +27,7 @@ public:
     /// @param distance how far a particle may go within `duration` [m]
     /// @return true if every particle has stayed for all of it
     /// @par Cost O(particles), one pass; allocates at the first look only
-    bool look(const Points& x, double time, Real distance, Kernels kernels);
+    bool look(const Points& x, double time, Real distance);
 
 private:
     bool watching_ = false;
@@ -47,10 +46,10 @@ public:
 
     /// One step more.
     /// @param time simulated [s]
-    /// @param solver its `sleep_speed` is that of the slowest motion that keeps a scene awake
+    /// @param speed of the slowest motion that keeps a scene awake [m/s]
     /// @return true if every particle and every ball has stayed, and no free ball has turned faster, for
     /// `RestWatch::duration`
-    bool look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time, const SolverSettings& solver);
+    bool look(std::span<const Cloth> cloths, std::span<const Ball> balls, double time, Real speed);
 
 private:
     bool balls_rest(std::span<const Ball> balls, double time, Real speed);

@@ -4,9 +4,4 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// For the others
-#include "bounds/kernels/patch_loop-inl.h"
-
-#include "bounds/kernels/extent_kernels-inl.h"
-#include "bounds/kernels/leaf_boxes-inl.h"
 #include "bounds/kernels/patch_kernels-inl.h"

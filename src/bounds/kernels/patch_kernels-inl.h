@@ -1,94 +1,51 @@
 #include "patch_kernels.h"
 
+#include <limits>
+#include <utility>
+
+#include "bounds/kernels/patch_loop-inl.h"
+#include "drape/bounds/dop_axes.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
 /// Columns that are added up together, whatever the width of the vectors.
 constexpr int eight = 8;
 
-/// Eight values in as many vectors as they take.
-template <class D>
-struct Eight {
-    static constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
-    static constexpr int vectors = eight / lanes;
-    hn::Vec<D> vector[vectors];
-};
-
-/// Eight values; those from `count` on are zero and not read.
-template <class D>
-HWY_INLINE Eight<D> load_eight(D d, const Real* from, int count) {
-    Eight<D> values;
-    HWY_ALIGN Real few[eight] = {};
-    if (count < eight) {
-        for (int k = 0; k < count; ++k) few[k] = from[k];
-        from = few;
-    }
-    for (int p = 0; p < Eight<D>::vectors; ++p) values.vector[p] = hn::LoadU(d, from + p * Eight<D>::lanes);
-    return values;
-}
-
-/// sum += values, but for those before `begin` and from `end` on.
-template <class D>
-HWY_INLINE void add_between(D d, const Eight<D>& values, int begin, int end, Eight<D>& sum) {
-    for (int p = 0; p < Eight<D>::vectors; ++p) {
-        const auto number = hn::Iota(d, static_cast<Real>(p * Eight<D>::lanes));
-        const auto counts = hn::And(hn::Ge(number, hn::Set(d, static_cast<Real>(begin))),
-                                    hn::Lt(number, hn::Set(d, static_cast<Real>(end))));
-        sum.vector[p] = hn::Add(sum.vector[p], hn::IfThenElseZero(counts, values.vector[p]));
-    }
-}
-
-template <class D>
-HWY_INLINE void store_eight(D d, const Eight<D>& values, Real* to) {
-    for (int p = 0; p < Eight<D>::vectors; ++p) hn::StoreU(values.vector[p], d, to + p * Eight<D>::lanes);
-}
-
-template <class Lane>
-HWY_INLINE Real pairwise_total(Lane lane) {
-    return ((lane(0) + lane(4)) + (lane(2) + lane(6))) + ((lane(1) + lane(5)) + (lane(3) + lane(7)));
-}
-
-template <class D>
-HWY_INLINE Real pairwise_total(D d, const Eight<D>& values) {
-    Real lane[eight];
-    store_eight(d, values, lane);
-    return pairwise_total([&](int k) HWY_ATTR { return lane[k]; });
+HWY_INLINE Real pairwise_total(const Real* of) {
+    return ((of[0] + of[4]) + (of[2] + of[6])) + ((of[1] + of[5]) + (of[3] + of[7]));
 }
 
 /// The sums of one coordinate.
 template <class D>
 HWY_INLINE void axis_sums(D d, const Patch& patch, const Real* from, Real& inner_total, Real& right,
                           Real& below_total) {
-    Eight<D> inner = load_eight(d, from, 0), below = inner;
-    // Of a short row that another one follows, eight can be read all the same: what is too much is left out of the
-    // sums. To copy the few would be slower, for a vector that is loaded where single values were just stored waits for
-    // them
-    const bool follows = patch.rows > 1 && patch.stride + patch.columns >= eight;
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(D()));
+    // Of a short row eight can be read all the same, where the next one goes so far: what is too much is left out
+    const bool reads_eight = patch.stride + patch.columns >= eight;
+    Real inner[eight] = {}, below[eight] = {};
     for (int counted = 0; counted < patch.columns; counted += eight) {
         // The last eight start early enough to end with the row; what was counted before is left out
-        const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight));
-        const int count = HWY_MIN(eight, patch.columns - i), corner = patch.columns - 1 - i;
-        const int read = follows ? eight : count;
-        Eight<D> column = load_eight(d, from + i, read);
-        for (int j = 1; j + 1 < patch.rows; ++j) {
-            const Eight<D> row = load_eight(d, from + j * patch.stride + i, read);
-            for (int p = 0; p < Eight<D>::vectors; ++p) column.vector[p] = hn::Add(column.vector[p], row.vector[p]);
-        }
-        add_between(d, column, counted - i, corner, inner);
+        const int i = HWY_MAX(0, HWY_MIN(counted, patch.columns - eight)), corner = patch.columns - 1 - i;
+        HWY_ALIGN Real column[eight] = {};
+        const auto add_rows = [&](auto width, int k) HWY_ATTR {
+            auto sum = hn::LoadU(width, from + i + k);
+            for (int j = 1; j + 1 < patch.rows; ++j) {
+                sum = hn::Add(sum, hn::LoadU(width, from + j * patch.stride + i + k));
+            }
+            hn::StoreU(sum, width, column + k);
+        };
+        for (int k = 0; reads_eight && k < eight; k += lanes) add_rows(d, k);
+        for (int k = 0; !reads_eight && k < patch.columns; ++k) add_rows(hn::CappedTag<Real, 1>(), k);
         const Real* const last = from + (patch.rows - 1) * patch.stride + i;
-        if (count < eight) {
-            below_total = pairwise_total([&](int k) HWY_ATTR { return k < corner ? last[k] : 0; });
-        } else {
-            add_between(d, load_eight(d, last, count), counted - i, corner, below);
+        for (int k = counted - i; k < HWY_MIN(corner, eight); ++k) {
+            inner[k] += column[k];
+            below[k] += last[k];
         }
-        if (corner < eight) {
-            Real lane[eight];
-            store_eight(d, column, lane);
-            right = lane[corner];
-        }
+        if (corner < eight) right = column[corner];
     }
-    inner_total = pairwise_total(d, inner);
-    if (patch.columns >= eight) below_total = pairwise_total(d, below);
+    inner_total = pairwise_total(inner);
+    below_total = pairwise_total(below);
 }
 
 PatchSums sums_of(const Patch& patch) {
@@ -121,18 +78,143 @@ void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Re
     });
 }
 
-Real largest_displacement_square_of(const Patch& now, const Patch& before) {
-    Real largest = 0;
-    with_vectors_for(now.columns, [&](auto d) HWY_ATTR {
-        auto far = hn::Zero(d);
-        for_each_vector(d, now, [&](int i, int j) HWY_ATTR {
-            const auto moved =
-                minus(particles_from(d, now, j * now.stride + i), particles_from(d, before, j * before.stride + i));
-            far = hn::Max(far, dot(moved, moved));
+/// Some figures of each particle of a vector.
+template <class V, std::size_t count>
+struct Figures {
+    V figure[count];
+};
+
+/// The smallest and the largest of each figure.
+/// @param figures_at called as figures_at(d, p) for the vector of particles from p on
+template <std::size_t... k, class FiguresAt>
+HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_sequence<k...>, FiguresAt figures_at) {
+    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
+        using V = hn::Vec<decltype(d)>;
+        V least[sizeof...(k)], most[sizeof...(k)];
+        ((least[k] = hn::Set(d, std::numeric_limits<Real>::infinity()), most[k] = hn::Neg(least[k])), ...);
+        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
+            const auto of = figures_at(d, j * patch.stride + i);
+            ((least[k] = hn::Min(least[k], of.figure[k]), most[k] = hn::Max(most[k], of.figure[k])), ...);
         });
-        largest = largest_lane(d, far);
+        ((low[k] = smallest_lane(d, least[k]), high[k] = largest_lane(d, most[k])), ...);
     });
-    return largest;
+}
+
+/// The terms of a sum so far, and one more: added, taken off or left out. In the order of `dop_projection`.
+template <int factor, class V>
+HWY_INLINE V plus(V sum, V term) {
+    if constexpr (factor > 0)
+        return hn::Add(sum, term);
+    else if constexpr (factor < 0)
+        return hn::Sub(sum, term);
+    else
+        return sum;
+}
+
+template <int number, class V>
+HWY_INLINE V projection(V x, V y, V z) {
+    constexpr auto axis = dop_axes[number];
+    if constexpr (axis[0] != 0)
+        return plus<axis[2]>(plus<axis[1]>(x, y), z);
+    else if constexpr (axis[1] != 0)
+        return plus<axis[2]>(y, z);
+    else
+        return z;
+}
+
+template <int K, std::size_t... k>
+HWY_INLINE void dop_extents_in(const Patch& patch, Real* low, Real* high, std::index_sequence<k...> each) {
+    extents(patch, low, high, each, [&](auto d, int p) HWY_ATTR {
+        using V = hn::Vec<decltype(d)>;
+        const V x = loaded_once(hn::LoadU(d, patch.x + p)), y = loaded_once(hn::LoadU(d, patch.y + p)),
+                z = loaded_once(hn::LoadU(d, patch.z + p));
+        return Figures<V, K / 2>{{projection<dop_numbers<K>[k]>(x, y, z)...}};
+    });
+}
+
+void dop_extents_of(const Patch& patch, int slabs, Real* low, Real* high) {
+    if (slabs == 3)
+        dop_extents_in<6>(patch, low, high, std::make_index_sequence<3>());
+    else if (slabs == 7)
+        dop_extents_in<14>(patch, low, high, std::make_index_sequence<7>());
+    else if (slabs == 9)
+        dop_extents_in<18>(patch, low, high, std::make_index_sequence<9>());
+    else
+        dop_extents_in<26>(patch, low, high, std::make_index_sequence<13>());
+}
+
+void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
+    extents(patch, low, high, std::make_index_sequence<3>(), [&](auto d, int p) HWY_ATTR {
+        const auto offset = minus(particles_from(d, patch, p), in_each_lane(d, origin));
+        Figures<hn::Vec<decltype(d)>, 3> along;
+        for (int k = 0; k < 3; ++k) along.figure[k] = dot(offset, in_each_lane(d, axes.data() + 3 * k));
+        return along;
+    });
+}
+
+/// The largest value so far of each lane, and where its vector started.
+template <class D>
+class Highest {
+public:
+    explicit Highest(D d) : value_(hn::Set(d, hwy::LowestValue<Real>())), start_(hn::Zero(starts_)) {}
+
+    HWY_INLINE void see(hn::Vec<D> value, ParticleIndex start) {
+        const auto higher = hn::Gt(value, value_);
+        value_ = hn::IfThenElse(higher, value, value_);
+        start_ = hn::IfThenElse(hn::RebindMask(starts_, higher), hn::Set(starts_, static_cast<Start>(start)), start_);
+    }
+
+    /// Each lane has seen its particles in ascending order, so that the first of equals does not depend on the lanes.
+    HWY_INLINE ParticleIndex particle(D d) const {
+        constexpr std::size_t lanes = hn::MaxLanes(D());
+        HWY_ALIGN Real value[lanes];
+        HWY_ALIGN Start start[lanes];
+        hn::Store(value_, d, value);
+        hn::Store(start_, starts_, start);
+        ParticleIndex best = start[0];
+        Real highest = value[0];
+        for (std::size_t lane = 1; lane < lanes; ++lane) {
+            const ParticleIndex here = static_cast<ParticleIndex>(start[lane]) + static_cast<ParticleIndex>(lane);
+            if (value[lane] > highest || (value[lane] == highest && here < best)) highest = value[lane], best = here;
+        }
+        return best;
+    }
+
+private:
+    using Starts = hn::RebindToSigned<D>;
+    using Start = hn::TFromD<Starts>;
+    Starts starts_;
+    hn::Vec<D> value_;
+    hn::Vec<Starts> start_;
+};
+
+ParticleIndex farthest_particle_of(const Patch& patch, const Vec3& from) {
+    ParticleIndex found = 0;
+    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
+        Highest highest(d);
+        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
+            const int start = j * patch.stride + i;
+            highest.see(square_to(d, patch, start, from), start);
+        });
+        found = highest.particle(d);
+    });
+    return found;
+}
+
+Extremes extreme_particles_of(const Patch& patch, const std::array<int, 3>& direction) {
+    Extremes found{};
+    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
+        const auto along_line = in_each_lane(d, direction);
+        Highest high(d), low(d);
+        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
+            const int start = j * patch.stride + i;
+            const auto along = dot(along_line, particles_from(d, patch, start));
+            high.see(along, start);
+            low.see(hn::Neg(along), start);
+        });
+        found = {low.particle(d), high.particle(d)};
+    });
+    return found;
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
@@ -143,7 +225,10 @@ namespace drape::kernels {
 
 HWY_EXPORT(sums_of);
 HWY_EXPORT(raise_to_farthest_of);
-HWY_EXPORT(largest_displacement_square_of);
+HWY_EXPORT(dop_extents_of);
+HWY_EXPORT(extents_along_of);
+HWY_EXPORT(farthest_particle_of);
+HWY_EXPORT(extreme_particles_of);
 
 PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
 
@@ -151,8 +236,20 @@ void raise_to_farthest(const Patch& patch, const Vec3* centres, int count, Real*
     HWY_DYNAMIC_DISPATCH(raise_to_farthest_of)(patch, centres, count, squares);
 }
 
-Real largest_displacement_square(const Patch& now, const Patch& before) {
-    return HWY_DYNAMIC_DISPATCH(largest_displacement_square_of)(now, before);
+void dop_extents(const Patch& patch, int slabs, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(dop_extents_of)(patch, slabs, low, high);
+}
+
+void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
+    HWY_DYNAMIC_DISPATCH(extents_along_of)(patch, origin, axes, low, high);
+}
+
+ParticleIndex farthest_particle(const Patch& patch, const Vec3& from) {
+    return HWY_DYNAMIC_DISPATCH(farthest_particle_of)(patch, from);
+}
+
+Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction) {
+    return HWY_DYNAMIC_DISPATCH(extreme_particles_of)(patch, direction);
 }
 
 }  // namespace drape::kernels

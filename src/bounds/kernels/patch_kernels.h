@@ -60,17 +60,6 @@ struct Extremes {
 /// The particles at both ends along a direction.
 Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction);
 
-/// The largest squared distance between the particles of two patches of the same shape.
-Real largest_displacement_square(const Patch& now, const Patch& before);
-
-/// Fits boxes to leaves as `Aabb::fit` does, to the bit, many at a time: particles are read in the order in which they
-/// are in memory.
-/// @param leaves numbers of nodes, best row by row
-/// @param boxes receives those of the leaves; one a node
-/// @par Cost O(particles), one pass
-void fit_leaf_boxes(const Grid& grid, std::span<const QuadtreeNode> nodes, std::span<const int> leaves, const Points& x,
-                    std::span<Aabb> boxes);
-
 /// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
 /// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the
 /// centres of all nodes above it are taken. The radii are those of the fit node by node about the same centres, bit for

@@ -1,37 +1,48 @@
-#include "drape/contact/detection.h"
-
 #include <algorithm>
 
+#include "contact/kernels/near_cells.h"
+#include "drape/contact/closest_point.h"
+#include "drape/contact/detection.h"
+
 namespace drape {
+namespace {
 
-SearchAudit::SearchAudit(const Grid& grid, Kernels kernels) : grid_(grid), kernels_(kernels) {
-    list_all_cells(grid, cells_);
-    triangles_.reserve(static_cast<std::size_t>(grid.triangles()));
-    rows_.reserve(static_cast<std::size_t>(grid.triangles()));
-}
-
-std::int64_t SearchAudit::false_contacts(const Points& x, const Ball& ball, Real thickness,
-                                         std::span<const StoppedNode> nodes) {
-    find_touched_triangles(grid_, x, ball, thickness, cells_, triangles_, kernels_);
-    const auto touches = [&](const StoppedNode& node) {
-        const Real radii = ball.radius + thickness + node.sphere.radius;
-        return (node.sphere.centre - ball.centre).squaredNorm() < radii * radii;
-    };
-    const auto is_true = [&](const StoppedNode& node) {
-        return std::ranges::any_of(triangles_, [&](int triangle) {
-            return node.holds(triangle / 2 % grid_.cell_columns(), triangle / 2 / grid_.cell_columns());
+/// Calls visit(distance) for the triangles of some cells, but for those that are clearly farther from a point than a
+/// radius.
+template <class Visit>
+void for_each_distance(const Grid& grid, const Points& x, const CellRange& cells, const Vec3& p, Real radius,
+                       Visit visit) {
+    for (int row = cells.j0; row < cells.j1; ++row) {
+        const CellRun run{row, cells.i0, cells.i1 - cells.i0};
+        kernels::for_each_near_cell(grid, x, p, radius, std::span(&run, 1), [&](int cell) {
+            for (const int triangle : {2 * cell, 2 * cell + 1}) {
+                visit((closest_point(x, grid.triangle_corners(triangle), p).point - p).norm());
+            }
         });
-    };
-    return std::ranges::count_if(nodes, [&](const StoppedNode& node) { return touches(node) && !is_true(node); });
+    }
 }
 
-Real SearchAudit::penetration(const Points& x, std::span<const Ball> balls, Real thickness) {
-    rows_.clear();
-    for (const Ball& ball : balls) {
-        find_contacts({grid_, x, x}, ball, {.thickness = thickness}, cells_, rows_, kernels_);
-    }
+}  // namespace
+
+std::int64_t count_false_contacts(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
+                                  std::span<const StoppedNode> nodes) {
+    const Real radius = ball.radius + thickness;
+    return std::ranges::count_if(nodes, [&](const StoppedNode& node) {
+        bool touches = false;
+        for_each_distance(grid, x, node, ball.centre, radius,
+                          [&](Real distance) { touches = touches || distance <= radius; });
+        const Real radii = radius + node.sphere.radius;
+        return !touches && (node.sphere.centre - ball.centre).squaredNorm() < radii * radii;
+    });
+}
+
+Real deepest_penetration(const Grid& grid, const Points& x, std::span<const Ball> balls, Real thickness) {
     Real deepest = 0;
-    for (const ContactRow& row : rows_) deepest = std::max(deepest, row.depth);
+    for (const Ball& ball : balls) {
+        const Real radius = ball.radius + thickness;
+        for_each_distance(grid, x, all_cells(grid), ball.centre, radius,
+                          [&](Real distance) { deepest = std::max(deepest, radius - distance); });
+    }
     return deepest;
 }
 

@@ -7,47 +7,30 @@
 HWY_BEFORE_NAMESPACE();
 namespace drape::kernels::HWY_NAMESPACE {
 
-/// The square of the longest side of a row of cells, diagonals not counted; sides without a length are left out.
-HWY_INLINE Real longest_side_square(const Patch& corners) {
-    Real square = 0;
-    const Patch cells{corners.x, corners.y, corners.z, corners.columns - 1, 1, corners.stride};
-    with_vectors_for(cells.columns, [&](auto d) HWY_ATTR {
-        const auto particles = [&](int p) HWY_ATTR {
-            return Lanes3<hn::Vec<decltype(d)>>{hn::LoadU(d, cells.x + p), hn::LoadU(d, cells.y + p),
-                                                hn::LoadU(d, cells.z + p)};
-        };
-        auto longest = hn::Zero(d);
-        // Where the first of two is not a number, x86 takes the second; elsewhere all cells are near
-        const auto see = [&](const auto& from, const auto& to) HWY_ATTR {
-            const auto side = minus(from, to);
-            longest = hn::Max(dot(side, side), longest);
-        };
-        for_each_vector(d, cells, [&](int i, int) HWY_ATTR {
-            const auto above = particles(i), above_next = particles(i + 1);
-            const auto below = particles(i + cells.stride), below_next = particles(i + 1 + cells.stride);
-            see(above, above_next);
-            see(above, below);
-            see(below, below_next);
-            see(above_next, below_next);
-        });
-        square = largest_lane(d, longest);
-    });
-    return square;
-}
-
 std::uint32_t near_cells_of(const Patch& corners, const Vec3& p, Real radius) {
     constexpr Real rounding = 32 * std::numeric_limits<Real>::epsilon();
-    const Real beyond = radius * radius + (1 + rounding) * longest_side_square(corners);
-    std::uint32_t far[2] = {};  // of the particles of both rows
-    with_vectors_for(corners.columns, [&](auto d) HWY_ATTR {
-        const auto limit = hn::Set(d, beyond), shrink = hn::Set(d, 1 - rounding);
-        for_each_vector(d, corners, [&](int i, int j) HWY_ATTR {
-            const auto square = square_to(d, corners, j * corners.stride + i, p);
-            far[j] |= lane_bits(d, hn::Gt(hn::Mul(square, shrink), limit)) << i;
+    const Patch cells{corners.x, corners.y, corners.z, corners.columns - 1, 1, corners.stride};
+    std::uint32_t far = 0;
+    with_vectors_for(cells.columns, [&](auto d) HWY_ATTR {
+        const auto point = in_each_lane(d, p);
+        const auto square_between = [](const auto& from, const auto& to) HWY_ATTR {
+            const auto offset = minus(from, to);
+            return dot(offset, offset);
+        };
+        for_each_vector(d, cells, [&](int i, int) HWY_ATTR {
+            const auto above = particles_from(d, cells, i), above_next = particles_from(d, cells, i + 1);
+            const auto below = particles_from(d, cells, i + cells.stride);
+            const auto below_next = particles_from(d, cells, i + 1 + cells.stride);
+            const auto nearest = hn::Min(hn::Min(square_between(above, point), square_between(above_next, point)),
+                                         hn::Min(square_between(below, point), square_between(below_next, point)));
+            const auto longest =
+                hn::Max(hn::Max(square_between(above, above_next), square_between(above, below)),
+                        hn::Max(square_between(below, below_next), square_between(above_next, below_next)));
+            const auto beyond = hn::Add(hn::Set(d, radius * radius), hn::Mul(hn::Set(d, 1 + rounding), longest));
+            far |= lane_bits(d, hn::Gt(hn::Mul(nearest, hn::Set(d, 1 - rounding)), beyond)) << i;
         });
     });
-    const std::uint32_t near = ~(far[0] & far[1]), cells = (std::uint32_t{1} << (corners.columns - 1)) - 1;
-    return (near | near >> 1) & cells;
+    return ~far & ((std::uint32_t{1} << cells.columns) - 1);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE

@@ -65,26 +65,19 @@ FeatureMotion ImpactZones::motion_of(const NearPair& pair, bool freely) const {
     return motion;
 }
 
-bool ImpactZones::within_one_zone(const NearPair& pair) const {
+/// Whether all of its particles are in one zone, or none is in any.
+bool ImpactZones::keeps_together(const NearPair& pair) const {
     const int zone = zone_of(pair, 0);
-    for (std::size_t k = 1; k < 4; ++k) {
-        if (zone_of(pair, k) != zone) return false;
-    }
-    return zone >= 0;
+    return zone_of(pair, 1) == zone && zone_of(pair, 2) == zone && zone_of(pair, 3) == zone;
 }
 
-/// Of those that a pair's particles are in; -1: none.
-int ImpactZones::largest_zone_of(const NearPair& pair) const {
-    const auto size_of = [&](int zone) { return zone < 0 ? 0 : zones_[static_cast<std::size_t>(zone)].members.size(); };
-    int largest = -1;
-    for (std::size_t k = 0; k < 4; ++k)
-        largest = std::max(largest, zone_of(pair, k), [&](int a, int b) { return size_of(a) < size_of(b); });
-    return largest;
-}
-
-/// All particles of a pair, and of the zones that they are in, become one zone.
+/// All particles of a pair, and of the zones that they are in, become one zone: the largest of these.
 void ImpactZones::join(const NearPair& pair, Real part) {
-    int all = largest_zone_of(pair);
+    const auto size_of = [&](int zone) { return zone < 0 ? 0 : zones_[static_cast<std::size_t>(zone)].members.size(); };
+    int all = -1;
+    for (std::size_t k = 0; k < 4; ++k) {
+        if (size_of(zone_of(pair, k)) > size_of(all)) all = zone_of(pair, k);
+    }
     if (all < 0) {
         all = static_cast<int>(zones_.size());
         zones_.emplace_back();
@@ -171,7 +164,7 @@ void ImpactZones::prevent_crossing(std::span<const NearPair> pairs) {
         move_zones();
         meets = false;
         for (const NearPair& pair : pairs) {
-            if (pair.distance == 0 || largest_zone_of(pair) < 0 || within_one_zone(pair)) continue;
+            if (pair.distance == 0 || keeps_together(pair)) continue;
             if (safe_part_of(motion_of(pair, false), pair.distance, least_) == 1) continue;
             join(pair, safe_part_of(motion_of(pair, true), pair.distance, least_));
             meets = true;

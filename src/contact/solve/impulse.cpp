@@ -44,7 +44,7 @@ void displace(ContactProblem& problem, Real sign) {
 
 }  // namespace
 
-Sweeps solve_impacts(ContactProblem& problem) {
+Sweeps respond_by_impulses(ContactProblem& problem) {
     choose(problem,
            [&](const ContactRow& row, const RowState& state) { return row.depth > 0 && is_impact(problem, state); });
     bool any = false;
@@ -56,18 +56,7 @@ Sweeps solve_impacts(ContactProblem& problem) {
     displace(problem, -1);
     const Sweeps sweeps = solve(problem, problem.scratch.velocities);
     displace(problem, 1);
-    return sweeps;
-}
-
-ResponseReport respond_by_impulses(ContactProblem& problem) {
-    const Sweeps impacts = solve_impacts(problem);
-    if (impacts.count > 0) {
-        for_each_row(problem, [&](ContactRow& row, RowState& state) { follow(problem, row, state); });
-    }
-    ResponseReport report = respond_by_projection(problem);
-    report.residual = std::max(report.residual, impacts.residual * problem.h);
-    report.sweeps += impacts.count;
-    return report;
+    return {sweeps.count, sweeps.residual * problem.h};
 }
 
 }  // namespace drape

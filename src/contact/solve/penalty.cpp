@@ -84,7 +84,7 @@ Real penalty_step_limit(Real stiffness, Real restitution, Real inverse_mass, Rea
     return w / frequency;
 }
 
-Sweeps solve_penalties(ContactProblem& problem) {
+Sweeps respond_by_penalties(ContactProblem& problem) {
     for_each_chosen(problem, [](ContactRow& row, const RowState&) { row.displacement = row.impulse = {}; });
     if (problem.parameters.displacement_factor == 1) {
         push_by_velocities(problem);
@@ -94,13 +94,7 @@ Sweeps solve_penalties(ContactProblem& problem) {
     constexpr bool friction_alone = true;
     const Sweeps sweeps = solve(problem, problem.scratch.displacements, friction_alone);
     const Sweeps more = solve(problem, problem.scratch.velocities, friction_alone);
-    return {sweeps.count + more.count, std::max(sweeps.residual, more.residual * problem.h)};
-}
-
-ResponseReport respond_by_penalties(ContactProblem& problem) {
-    choose(problem, [](const ContactRow& row, const RowState&) { return row.depth > 0; });
-    const Sweeps sweeps = solve_penalties(problem);
-    return {.residual = sweeps.residual, .sweeps = sweeps.count};
+    return sweeps + Sweeps{more.count, more.residual * problem.h};
 }
 
 }  // namespace drape

@@ -60,45 +60,27 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
     state.sliding_mass = sliding > 0 ? 1 / sliding : Real(0);
 }
 
-/// Gives each particle in contact a place.
-void set_places(ContactProblem& problem) {
-    auto& [states, particles, place_of, displacements, velocities] = problem.scratch;
-    std::size_t count = 0;
-    for (const ClothInContact& cloth : problem.cloths) count += static_cast<std::size_t>(cloth.state.x.rows());
-    place_of.resize(std::max(place_of.size(), count));
-    particles.clear();
-    const auto number_of = [&](int cloth, int particle) {
-        std::size_t number = static_cast<std::size_t>(particle);
-        for (int c = 0; c < cloth; ++c) {
-            number += static_cast<std::size_t>(problem.cloths[static_cast<std::size_t>(c)].state.x.rows());
-        }
-        return number;
-    };
-    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
-        const ContactRow& row = problem.rows[r];
-        for (std::size_t k = 0; k < row.count; ++k) {
-            int& place = place_of[number_of(row.particles[k].cloth, row.particles[k].particle)];
-            if (place == 0) {
-                particles.push_back({row.particles[k].cloth, row.particles[k].particle});
-                place = static_cast<int>(particles.size());
-            }
-            states[r].places[k] = place - 1;
-        }
-    }
-    for (const auto [cloth, particle] : particles) place_of[number_of(cloth, particle)] = 0;
-}
-
+/// Takes the motion of all that is in contact. The place of a particle in it is its number among those of all cloths.
 void take_motion(ContactProblem& problem) {
-    ContactMotion &displacements = problem.scratch.displacements, &velocities = problem.scratch.velocities;
-    displacements.particles.clear();
-    velocities.particles.clear();
-    for (const auto [cloth, particle] : problem.scratch.particles) {
-        const ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
-        displacements.particles.push_back(position(state.x, particle));
-        velocities.particles.push_back(position(state.v, particle));
+    auto& [states, displacements, velocities] = problem.scratch;
+    const auto first_of = [&](std::size_t cloth) {
+        Eigen::Index first = 0;
+        for (const ClothInContact& other : problem.cloths.first(cloth)) first += other.state.x.rows();
+        return static_cast<int>(first);
+    };
+    for (ContactMotion* motion : {&displacements, &velocities}) {
+        motion->particles.resize(static_cast<std::size_t>(first_of(problem.cloths.size())));
+        motion->bodies.clear();
     }
-    displacements.bodies.clear();
-    velocities.bodies.clear();
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        for (std::size_t k = 0; k < problem.rows[r].count; ++k) {
+            const auto& [number, particle, weight] = problem.rows[r].particles[k];
+            const auto cloth = static_cast<std::size_t>(number);
+            const int place = states[r].places[k] = first_of(cloth) + particle;
+            displacements.of(place) = position(problem.cloths[cloth].state.x, particle);
+            velocities.of(place) = position(problem.cloths[cloth].state.v, particle);
+        }
+    }
     for (const Body& body : problem.bodies) {
         displacements.bodies.push_back({body.moved, body.turned});
         velocities.bodies.push_back({body.velocity, body.spin});
@@ -142,7 +124,6 @@ void prepare(const ContactProblem& problem, ContactRow& row, RowState& state) {
 /// Flat, because GCC would call a function for each sum of three numbers.
 __attribute__((flatten)) void prepare(ContactProblem& problem) {
     problem.scratch.states.assign(problem.rows.size(), {});
-    set_places(problem);
     take_motion(problem);
     for (std::size_t r = 0; r < problem.rows.size(); ++r) {
         ContactRow& row = problem.rows[r];
@@ -154,12 +135,14 @@ __attribute__((flatten)) void prepare(ContactProblem& problem) {
 }
 
 void finish(ContactProblem& problem) {
-    const ContactMotion &displacements = problem.scratch.displacements, &velocities = problem.scratch.velocities;
-    for (std::size_t place = 0; place < problem.scratch.particles.size(); ++place) {
-        const auto [cloth, particle] = problem.scratch.particles[place];
-        ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
-        state.x.row(particle) = displacements.of(static_cast<int>(place)).transpose();
-        state.v.row(particle) = velocities.of(static_cast<int>(place)).transpose();
+    const auto& [states, displacements, velocities] = problem.scratch;
+    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
+        for (std::size_t k = 0; k < problem.rows[r].count; ++k) {
+            const auto& [cloth, particle, weight] = problem.rows[r].particles[k];
+            ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
+            state.x.row(particle) = displacements.of(states[r].places[k]).transpose();
+            state.v.row(particle) = velocities.of(states[r].places[k]).transpose();
+        }
     }
     for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
         Body& body = problem.bodies[b];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,7 +34,7 @@ struct RowState {
 /// What contacts change: displacements within the substep, or velocities.
 enum class Quantity { Displacement, Velocity };
 
-/// One of both, of all that takes part.
+/// One of both, of all that takes part; of particles that do not, nothing is known.
 struct ContactMotion {
     /// Of a body, and how fast it turns.
     struct OfBody {
@@ -50,14 +51,7 @@ struct ContactMotion {
 
 /// What a solver keeps from one substep to the next, to allocate nothing.
 struct ContactSolver::Scratch {
-    /// A particle in contact.
-    struct Particle {
-        int cloth, particle;
-    };
-
-    std::vector<RowState> states;     ///< of each row
-    std::vector<Particle> particles;  ///< of each place
-    std::vector<int> place_of;        ///< of each particle of all cloths, plus 1; 0: none
+    std::vector<RowState> states;  ///< of each row
     ContactMotion displacements{Quantity::Displacement, {}, {}}, velocities{Quantity::Velocity, {}, {}};
 };
 
@@ -147,6 +141,8 @@ void find_again(const ContactProblem& problem, ContactRow& row, RowState& state)
 struct Sweeps {
     int count = 0;
     Real residual = 0;  ///< largest change of a contact's motion in the last one [m or m/s]
+
+    Sweeps operator+(const Sweeps& other) const { return {count + other.count, std::max(residual, other.residual)}; }
 };
 
 /// Chooses the contacts that a solve is about, of those in the response under way.
@@ -173,16 +169,15 @@ void for_each_chosen(const ContactProblem& problem, Visit visit) {
 /// @param friction_alone impulses along the normals stay as they are
 [[nodiscard]] Sweeps solve(ContactProblem& problem, ContactMotion& motion, bool friction_alone = false);
 
+// What the responses are made of, each in a file of its own. Residuals are in displacements [m].
+
+/// Puts all contacts back onto their planes.
+[[nodiscard]] Sweeps respond_by_projection(ContactProblem& problem);
+
 /// Gives impulses to the contacts that are impacts.
-Sweeps solve_impacts(ContactProblem& problem);
+[[nodiscard]] Sweeps respond_by_impulses(ContactProblem& problem);
 
 /// Pushes by springs and dampers at the chosen contacts, which have entered.
-Sweeps solve_penalties(ContactProblem& problem);
-
-/// The responses, each in a file of its own.
-[[nodiscard]] ResponseReport respond_by_projection(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_impulses(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_penalties(ContactProblem& problem);
-[[nodiscard]] ResponseReport respond_by_hybrid(ContactProblem& problem);
+[[nodiscard]] Sweeps respond_by_penalties(ContactProblem& problem);
 
 }  // namespace drape

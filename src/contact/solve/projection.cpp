@@ -39,14 +39,14 @@ Sweeps project_positions(ContactProblem& problem) {
 
 }  // namespace
 
-ResponseReport respond_by_projection(ContactProblem& problem) {
+Sweeps respond_by_projection(ContactProblem& problem) {
     const Sweeps displaced = project_positions(problem);
     // Contacts that carry nothing, and were given nothing, are free to part, and to meet in a later step
     choose(problem, [](const ContactRow& row, const RowState&) {
         return row.displacement.normal > 0 || row.impulse.normal > 0;
     });
     const Sweeps stopped = solve(problem, problem.scratch.velocities);
-    return {.residual = displaced.residual, .sweeps = displaced.count + stopped.count};
+    return {displaced.count + stopped.count, displaced.residual};
 }
 
 }  // namespace drape

@@ -9,11 +9,45 @@ namespace {
 
 constexpr std::size_t max_reserved = 100'000;  // contacts
 
-ResponseReport respond_in_kind(ContactProblem& problem) {
-    // In the order of the kinds
-    constexpr std::array responses{respond_by_projection, respond_by_penalties, respond_by_impulses, respond_by_hybrid};
-    static_assert(responses.size() == enum_count<ResponseKind>, "every kind has its response");
-    return responses[static_cast<std::size_t>(problem.parameters.kind)](problem);
+void follow_all(ContactProblem& problem) {
+    for_each_row(problem, [&](ContactRow& row, const RowState& state) { follow(problem, row, state); });
+}
+
+/// How a kind answers: impacts, where two sides meet faster than gravity alone brings them together within a few steps,
+/// by impulses, or like all else; and all else by penalties, or by projection. Both impulses and penalties are the
+/// hybrid of @cite constantinescu2005.
+struct Answers {
+    bool impulses, penalties;
+};
+
+/// In the order of the kinds.
+constexpr std::array answers{Answers{false, false}, Answers{false, true}, Answers{true, false}, Answers{true, true}};
+static_assert(answers.size() == enum_count<ResponseKind>, "every kind has its answers");
+
+/// Whether something comes so deep into a ball that a penalty would let it pass.
+bool has_deep_impact(const ContactProblem& problem) {
+    bool any = false;
+    for_each_row(problem, [&](const ContactRow& row, const RowState& state) {
+        const bool of_surface = row.kind == RowKind::Particle || row.kind == RowKind::Triangle;
+        if (!of_surface || !is_impact(problem, state) || !problem.body(row.body).is_ball()) return;
+        any = any || row.depth > deep_part * problem.body(row.body).radius;
+    });
+    return any;
+}
+
+/// Answers the contacts of the response under way.
+Sweeps respond_in_kind(ContactProblem& problem) {
+    const Answers by = answers[static_cast<std::size_t>(problem.parameters.kind)];
+    const bool projects = !by.penalties || (by.impulses && has_deep_impact(problem));
+    const Sweeps impacts = by.impulses ? respond_by_impulses(problem) : Sweeps();
+    if (projects) {
+        if (impacts.count > 0) follow_all(problem);
+        return impacts + respond_by_projection(problem);
+    }
+    choose(problem, [&](const ContactRow& row, const RowState& state) {
+        return row.depth > 0 && !(by.impulses && is_impact(problem, state));
+    });
+    return impacts + respond_by_penalties(problem);
 }
 
 /// Pairs are always answered by projection: penalties of many pairs at one particle would add up, and an impulse is for
@@ -32,16 +66,13 @@ bool include(ContactProblem& problem, bool projected) {
     return any;
 }
 
-ResponseReport respond(ContactProblem& problem) {
+Sweeps respond(ContactProblem& problem) {
     if (problem.parameters.kind == ResponseKind::Projection) return respond_in_kind(problem);
     include(problem, false);
-    ResponseReport report = respond_in_kind(problem);
-    if (!include(problem, true)) return report;
-    for_each_row(problem, [&](ContactRow& row, const RowState& state) { follow(problem, row, state); });
-    const ResponseReport more = respond_by_projection(problem);
-    report.sweeps += more.sweeps;
-    report.residual = std::max(report.residual, more.residual);
-    return report;
+    const Sweeps sweeps = respond_in_kind(problem);
+    if (!include(problem, true)) return sweeps;
+    follow_all(problem);
+    return sweeps + respond_by_projection(problem);
 }
 
 }  // namespace
@@ -52,13 +83,10 @@ ContactSolver::Scratch& ContactSolver::scratch() {
 }
 
 void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
-    const std::size_t count = std::min(contacts, max_reserved);
     Scratch& scratch = this->scratch();
-    scratch.place_of.resize(particles);
-    scratch.states.reserve(count);
-    scratch.particles.reserve(count);
-    scratch.displacements.particles.reserve(count);
-    scratch.velocities.particles.reserve(count);
+    scratch.states.reserve(std::min(contacts, max_reserved));
+    scratch.displacements.particles.reserve(particles);
+    scratch.velocities.particles.reserve(particles);
 }
 
 ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real h,
@@ -74,11 +102,12 @@ ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real
                            .scratch = scratch()};
     prepare(problem);
     const double before = kinetic_energy(bodies);
-    ResponseReport report = respond(problem);
+    const Sweeps sweeps = respond(problem);
     finish(problem);
-    report.free_ball_work = before - kinetic_energy(bodies);
-    report.depth = update_depths(cloths, bodies, rows);
-    return report;
+    return {.depth = update_depths(cloths, bodies, rows),
+            .residual = sweeps.residual,
+            .sweeps = sweeps.count,
+            .free_ball_work = before - kinetic_energy(bodies)};
 }
 
 double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<const Body> bodies) {

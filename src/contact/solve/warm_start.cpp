@@ -44,16 +44,8 @@ RowImpulse scaled(const RowImpulse& impulse, Real factor) {
 bool goes_on(const ResponseParameters& parameters, const ContactRow& row) {
     if (row.kind == RowKind::Node || row.kind == RowKind::Bodies || row.separated) return false;
     if (row.kind == RowKind::Pair) return row.displacement.normal != 0;
-    switch (parameters.kind) {
-        case ResponseKind::Penalty:
-            return false;
-        case ResponseKind::Hybrid:
-            return row.impulse.normal != 0;
-        case ResponseKind::Projection:
-        case ResponseKind::Impulse:
-            break;
-    }
-    return row.displacement.normal != 0;
+    if (parameters.kind == ResponseKind::Penalty) return false;
+    return (parameters.kind == ResponseKind::Hybrid ? row.impulse : row.displacement).normal != 0;
 }
 
 /// Where a contact of before is now. Its plane stays, for the ball may have come through the cloth since; that of a

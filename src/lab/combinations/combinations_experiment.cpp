@@ -98,7 +98,6 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
     const ClothModel& model = cloth.model;
     const auto weight = static_cast<double>(model.particle_mass * model.gravity.norm()) * model.grid.particles();
     const StepReport& report = simulation.report();
-    SearchAudit audit(model.grid, combination.solver.kernels);
     const Real thickness = combination.contact.thickness;
     Real penetration = 0;
     int touched = 0;
@@ -106,7 +105,8 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
     while (report.status != Status::Diverged && report.time < seconds) {
         simulation.step();
         const Real sunk = combination.ground.height + thickness - cloth.state.x.col(1).minCoeff();
-        penetration = std::max({penetration, audit.penetration(cloth.state.x, simulation.balls(), thickness), sunk});
+        const Real deep = deepest_penetration(model.grid, cloth.state.x, simulation.balls(), thickness);
+        penetration = std::max({penetration, deep, sunk});
         touched += report.contacts > 0;
         const Energy energy = simulation.view().report->energy;
         const double lift = (energy.kinetic + energy.gravity + energy.spring) / weight;

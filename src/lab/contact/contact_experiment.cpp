@@ -56,7 +56,7 @@ bool touches_front(const ContactTrial& trial, int triangle) {
     const Cloth& cloth = trial.cloths[0];
     const Ball& ball = trial.balls[0];
     const Real thickness = trial.settings.contact.thickness;
-    const bool looked_back = cloth.search.looked_back(ball, thickness);
+    const bool looked_back = cloth.search.reach(body_of(ball, trial.settings.contact), thickness) > 0;
     const Vec3 start = looked_back ? Vec3(ball.centre - ball.moved) : ball.centre;
     const Points &x = trial.unpushed, &before = looked_back ? cloth.previous.x : x;
     const auto [a, b, c] = cloth.model.grid.triangle_corners(triangle);
@@ -116,10 +116,10 @@ struct ContactHistory {
 ContactHistory watch_contacts(const Settings& settings, std::size_t steps, double step, std::size_t finer) {
     ContactTrial trial(settings);
     const Points& x = trial.cloths[0].state.x;
-    SearchAudit audit(trial.cloths[0].model.grid, settings.solver.kernels);
     ContactHistory history{.touched = std::vector<std::set<int>>(steps)};
     const auto deepen = [&](double& deepest) {
-        const Real depth = audit.penetration(x, trial.balls, settings.contact.thickness);
+        const Grid& grid = trial.cloths[0].model.grid;
+        const Real depth = deepest_penetration(grid, x, trial.balls, settings.contact.thickness);
         deepest = std::max(deepest, static_cast<double>(depth));
     };
     for (std::size_t k = 0; k < steps * finer; ++k) {

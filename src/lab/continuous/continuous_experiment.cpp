@@ -141,7 +141,7 @@ Rows times_of(int side, int steps) {
         const Ball ball{.centre = start + moved, .radius = radius, .moved = moved};
         for (TimedDetector& one : timed) {
             const auto search = [&] {
-                const Real reach = one.continuous ? largest_displacement(to, from, Kernels::Vector) + path : 0;
+                const Real reach = one.continuous ? largest_displacement(to, from) + path : 0;
                 one.detector.touches({grid, one.continuous ? from : to, to}, ball, reach);
             };
             constexpr int in_a_row = 16;  // a search is shorter than what the clock takes

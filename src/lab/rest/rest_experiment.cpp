@@ -62,13 +62,13 @@ Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind inte
     Simulation simulation(scene, settings);
     std::deque<double> squares;
     SleepWatch watch;
-    const SolverSettings watched = load_scene(scene).solver;
+    const Real speed = load_scene(scene).solver.sleep_speed;
     const double& time = simulation.report().time;
     Row found{{"end", "awake"}};
     for (double end = 15; time < end;) {
         if (!run_until(simulation, time + step, squares)) return {row};
         const bool is_awake = found.word("end") == "awake";
-        if (!is_awake || !watch.look(simulation.cloths(), simulation.balls(), time, watched)) continue;
+        if (!is_awake || !watch.look(simulation.cloths(), simulation.balls(), time, speed)) continue;
         found = {{"end", "asleep"}, {"asleep_s", time}, {"speed_before_m_per_s", root_mean(squares)}};
         end = time + 2;
     }
