@@ -64,6 +64,8 @@ public:
     /// Sets the cells that another row has.
     void set(const Row& other);
 
+    [[nodiscard]] bool has(const std::string& column) const { return cells_.contains(column); }
+
     /// What it has in a column, as a number and as it is.
     /// @throws std::out_of_range if the row has no cell there; InputError if it has a word where a number is asked for
     [[nodiscard]] double number(const std::string& column) const;
@@ -80,20 +82,12 @@ private:
 
 using Rows = std::vector<Row>;
 
-/// Rows that have a word in a column.
-Rows rows_with(Rows rows, const std::string& column, const std::string& word);
-
-/// The words that rows have in a column, each once, in the order in which they come.
-std::vector<std::string> words_of(const Rows& rows, const std::string& column);
-
 /// A picture of a table, drawn by gnuplot from an installed script.
 struct Chart {
     std::string name;  ///< of the files, without what follows the dot: letters, digits and '_'
     std::map<std::string, std::string> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string script = {};                         ///< charts/SCRIPT.gp; empty: that of the chart's name
-    std::string caption = {};                        ///< under the picture, after what the script's head says of it
-    /// Adds values and a caption that follow from the rows of its word, where `charts_by` draws a chart for each word.
-    std::function<void(Chart&, const Rows& rows)> complete = {};
+    Row row = {};                                    ///< the first that it is drawn of: captions name cells of it
 };
 
 /// Words as a value of a chart. What a table was read with is none but such.
@@ -126,7 +120,7 @@ struct Experiment {
     /// Those of all parts.
     [[nodiscard]] ExperimentCases cases(bool quick) const;
 
-    /// Those of all parts.
+    /// Those of all parts that have rows, each with its script.
     /// @param rows with a cell in every column
     [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };

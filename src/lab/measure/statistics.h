@@ -2,9 +2,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
 namespace drape {
@@ -33,13 +30,5 @@ double cpu_time_of(const Work& work, std::int64_t runs = 1) {
 
 /// CPU time that all threads of the program have used [s].
 double program_cpu_time();
-
-/// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
-/// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is
-/// none. Coarser points join one by one, as long as the slope to the next is within 0.15, or 15 %, of what is fitted so
-/// far.
-/// @param points (step, error), all positive, from coarse to fine
-/// @return nothing if there are fewer than 3 points, or the finest do not follow one power
-std::optional<double> observed_order(std::span<const std::pair<double, double>> points);
 
 }  // namespace drape

@@ -1,8 +1,5 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -49,34 +46,6 @@ PrecisionScene dropped(bool quick) {
         return Rung{{.kind = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};
     };
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
-}
-
-/// Of the steps of a method that are shorter than any that was unstable.
-/// @param method its rows
-std::optional<double> order_of(Rows method) {
-    std::ranges::stable_sort(method, std::greater(), [](const Row& row) { return row.number("step_s"); });
-    std::vector<std::pair<double, double>> errors;
-    for (const Row& row : method) {
-        if (row.word("end") != "bounded") {
-            errors.clear();
-        } else {
-            errors.emplace_back(row.number("step_s"), row.number("error"));
-        }
-    }
-    return observed_order(errors);
-}
-
-/// What the caption says of the reference of a scene, and of averages.
-std::string caption_of(const Row& scene) {
-    const double phases = scene.number("phases");
-    const std::string averaged =
-        phases == 1 ? ""
-                    : fmt::format(
-                          "Errors are averaged over {} phases of the first impact within a step; from that impact on, "
-                          "every method is of order 1. ",
-                          phases);
-    return fmt::format("{}The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} times.",
-                       averaged, scene.number("reference_error"), small_error, scene.number("growth"));
 }
 
 /// In the order of the table.
@@ -152,25 +121,6 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
     for (int timing = 0; timing < 7; ++timing) costs.push_back(finish(scene, rung).cost);
     row.set({{"end", "bounded"}, {"error", std::sqrt(squares / scene.phases)}, {"cost_s_per_s", quartiles_of(costs)}});
     return row;
-}
-
-/// Adds to a work-precision diagram the orders of its methods, and what its reference is worth.
-/// @param rows of its scene
-void complete_diagram(Chart& diagram, const Rows& rows) {
-    Rows own = rows;
-    // They could not be drawn
-    const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-    std::erase_if(own, [&](const Row& row) {
-        const bool has_point = positive(row.number("error")) && positive(row.number("cost_s_per_s"));
-        return !positive(row.number("step_s")) || (row.word("end") == "bounded" && !has_point);
-    });
-    const Rows points = rows_with(own, "end", "bounded");
-    if (points.empty()) return;
-    diagram.caption = caption_of(points.front());
-    for (const std::string& method : words_of(own, "method")) {
-        const auto order = order_of(rows_with(own, "method", method));
-        if (order) diagram.values["order_" + method] = real_text(*order);
-    }
 }
 
 ExperimentCases precision_cases(bool quick) {
@@ -257,10 +207,7 @@ Experiment precision_experiment() {
              "steps", "step_s", "end", "measure", "error", "cost_lower_s_per_s",
              "cost_s_per_s",                                      // CPU time of a simulated second
              "cost_upper_s_per_s", "reference_error", "growth"},  // of a small error
-            {{"",
-              precision_cases,
-              {{.name = "precision", .complete = complete_diagram}, {.name = "precision_choice"}},
-              "scene"}}};
+            {{"", precision_cases, {{"precision"}, {"precision_choice"}}, "scene"}}};
 }
 
 }  // namespace drape
