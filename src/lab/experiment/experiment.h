@@ -38,14 +38,22 @@ Columns quartile_columns(const char* median);
 /// One line of an experiment's table, a text a column.
 using TableRow = std::vector<std::string>;
 
-/// What a row has in a column: a word, all digits of a number, or a median and its quartiles, which are cells of their
-/// own.
+/// What has a name: a method, a scene.
+template <class Thing>
+concept Named = requires(const Thing& thing) {
+    std::string(thing.name);
+};
+
+/// What a row has in a column: a word, the name of a thing, all digits of a number, or a median and its quartiles,
+/// which are cells of their own.
 struct Cell : std::variant<std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
         : variant(std::is_integral_v<Number> ? std::to_string(number) : real_text(static_cast<double>(number))) {}
     template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
+    template <Named Thing>
+    Cell(const Thing& thing) : variant(thing.name) {}
     Cell(const char* word) : variant(word) {}
     Cell(std::string word) : variant(std::move(word)) {}
     Cell(const Quartiles& quartiles) : variant(quartiles) {}
@@ -96,13 +104,14 @@ inline std::string quoted(const std::string& words) { return "'" + words + "'"; 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
 using ExperimentCases = std::vector<ExperimentCase>;
+using PartCases = std::function<ExperimentCases(bool quick)>;
 
 /// Some cases, and what is drawn of their rows where there are any. A share may have none, and a script that finds
 /// nothing to draw makes no picture.
 struct ExperimentPart {
     /// Written to column `part` of its rows; empty if it is the only part and there is no such column.
     std::string name;
-    std::function<ExperimentCases(bool quick)> cases;
+    PartCases cases;
     std::vector<Chart> charts;
     /// Each chart is drawn as NAME_WORD for each word that rows have in this column, which is the script's variable of
     /// that name; empty: once.
@@ -125,18 +134,50 @@ struct Experiment {
     [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };
 
-/// A case for each choice of one value from every list; those of the last list change fastest.
-/// @param run(values...) gives the rows
-inline ExperimentCases cases_over(const ExperimentCase& run) { return {run}; }
+/// Values that the cases of a part go through, of which a quick run may have others.
+template <class Value>
+struct Axis {
+    std::string column;  ///< of the value, in all rows of its cases; empty: none
+    std::vector<Value> quick, whole = quick;
+};
 
-template <class Run, class Value, class... Values>
-ExperimentCases cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
-    ExperimentCases all;
-    for (const Value& value : list) {
-        const auto chosen = [=](const Values&... others) { return run(value, others...); };
-        std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));
-    }
-    return all;
+/// Steps that divide a second, by how many of them make one.
+inline Axis<double> steps_a_second(std::vector<double> quick, std::vector<double> whole) {
+    for (double& step : quick) step = 1 / step;
+    for (double& step : whole) step = 1 / step;
+    return {"step_s", quick, whole};
+}
+
+/// What a run is told by its size.
+template <class Value>
+Axis<Value> quick_or_whole(const Value& quick, const Value& whole) {
+    return {"", {quick}, {whole}};
+}
+
+inline PartCases cases_over(const ExperimentCase& measure) {
+    return [=](bool) { return ExperimentCases{measure}; };
+}
+
+/// A case for each choice of one value from every axis; those of the last change fastest.
+/// @param measure(values...) gives the rows, without the columns of the axes
+template <class Measure, class Value, class... Values>
+PartCases cases_over(const Measure& measure, const Axis<Value>& axis, const Axis<Values>&... others) {
+    return [=](bool quick) {
+        ExperimentCases all;
+        for (const Value& value : quick ? axis.quick : axis.whole) {
+            const auto chosen = [=](const Values&... rest) {
+                Rows rows = measure(value, rest...);
+                if constexpr (std::is_constructible_v<Cell, Value>) {
+                    for (Row& row : rows) {
+                        if (!axis.column.empty()) row.set(axis.column, value);
+                    }
+                }
+                return rows;
+            };
+            std::ranges::move(cases_over(chosen, others...)(quick), std::back_inserter(all));
+        }
+        return all;
+    };
 }
 
 }  // namespace drape

@@ -65,7 +65,7 @@ ExperimentCases cases_of(const std::vector<MotionWanted>& wanted, const std::vec
         for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
         return rows;
     };
-    return cases_over(run, wanted, lists);
+    return cases_over(run, Axis<MotionWanted>{"", wanted}, Axis<Hierarchies>{"", lists})(false);
 }
 
 /// A row about a hierarchy on some frames of a motion. The parts of the experiment share the columns.

@@ -91,15 +91,13 @@ std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScen
 }
 
 /// The error of a rung is a mean over phases of the first impact.
-Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
+Row row_of(const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
     const ClothParameters& cloth = scene.settings.cloths.front();
-    const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
-    Row row{{"scene", scene.name},
-            {"particles", cloth.particles.nx},
+    const bool adaptive = rung.parameters.kind == IntegratorKind::DormandPrince;
+    Row row{{"particles", cloth.particles.nx},
             {"stiffness_N_per_m", cloth.structural.stiffness},
             {"horizon_s", scene.horizon},
             {"phases", scene.phases},
-            {"method", method.name},
             {"tolerance", adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number},
             {"end", "unstable"},
             {"measure", "position"},
@@ -125,16 +123,16 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
 
 ExperimentCases precision_cases(bool quick) {
     const auto references = std::make_shared<std::map<std::string, Reference>>();  // found when a case asks for them
-    return cases_over(
-        [=](const PrecisionScene& scene, const Method& method) {
-            if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
-            Rows rows;
-            for (const Rung& rung : ladder(method.parameters, scene)) {
-                rows.push_back(row_of(method, rung, scene, references->at(scene.name)));
-            }
-            return rows;
-        },
-        precision_scenes(quick), precision_methods());
+    const auto run = [=](const PrecisionScene& scene, const Method& method) {
+        if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
+        Rows rows;
+        for (const Rung& rung : ladder(method.parameters, scene)) {
+            rows.push_back(row_of(rung, scene, references->at(scene.name)));
+        }
+        return rows;
+    };
+    return cases_over(run, Axis<PrecisionScene>{"scene", precision_scenes(quick)},
+                      Axis<Method>{"method", precision_methods()})(quick);
 }
 
 }  // namespace

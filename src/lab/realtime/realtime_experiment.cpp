@@ -19,12 +19,6 @@ struct FrameMotion {
     std::string name, scene;
 };
 
-std::vector<FrameMotion> frame_motions() {
-    return {{"free", "two_corners"},  // falls, hung by two corners
-            {"ball", "drop"},         // falls flat on a ball
-            {"fold", "fold"}};        // falls upright on the ground and folds on itself
-}
-
 /// A method, and in how many steps it makes a frame; its name has both.
 struct FrameMethod : Method {
     int steps = 1;
@@ -102,8 +96,7 @@ Row run_one(const FrameMotion& motion, const FrameMethod& method, int side, int 
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
     const Motion run = run_to_horizon(settings, patience * threads);
-    Row row{{"motion", motion.name}, {"method", method.name}, {"threads", threads}, {"side", side}};
-    row.set("end", run.diverged ? "diverged" : "late");
+    Row row{{"side", side}, {"end", run.diverged ? "diverged" : "late"}};
     if (run.diverged || run.given_up) return row;
     const ClothParameters& cloth = settings.cloths[0];
     const double excess = std::max(stretch_of(cloth, run) - stretch_of(cloth, truth), 0.0);
@@ -117,19 +110,22 @@ Row run_one(const FrameMotion& motion, const FrameMethod& method, int side, int 
 
 ExperimentCases realtime_cases(bool quick) {
     const auto truths = std::make_shared<std::map<std::string, Motion>>();  // found when the first case asks for them
-    return cases_over(
-        [=](const FrameMotion& motion, int threads, const FrameMethod& method) {
-            if (!truths->contains(motion.name)) truths->emplace(motion.name, converged(motion, quick));
-            // From small to large, until it is no longer real time
-            Rows rows;
-            for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
-                if (quick && side > 32) break;
-                rows.push_back(run_one(motion, method, side, threads, truths->at(motion.name)));
-                if (rows.back().word("end") == "late") break;
-            }
-            return rows;
-        },
-        frame_motions(), std::vector{1, 2}, frame_methods());
+    const auto run = [=](const FrameMotion& motion, int threads, const FrameMethod& method) {
+        if (!truths->contains(motion.name)) truths->emplace(motion.name, converged(motion, quick));
+        // From small to large, until it is no longer real time
+        Rows rows;
+        for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
+            if (quick && side > 32) break;
+            rows.push_back(run_one(motion, method, side, threads, truths->at(motion.name)));
+            if (rows.back().word("end") == "late") break;
+        }
+        return rows;
+    };
+    const std::vector<FrameMotion> motions{{"free", "two_corners"},  // falls, hung by two corners
+                                           {"ball", "drop"},         // falls flat on a ball
+                                           {"fold", "fold"}};        // falls upright on the ground and folds on itself
+    return cases_over(run, Axis<FrameMotion>{"motion", motions}, Axis<int>{"threads", {1, 2}},
+                      Axis<FrameMethod>{"method", frame_methods()})(quick);
 }
 
 }  // namespace
