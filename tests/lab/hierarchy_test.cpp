@@ -138,7 +138,7 @@ TEST(LabHierarchy, WritesWhatItCountsAndDrawsWhatAShareHas) {
     const LabRun run = folder.run({"hierarchy", "--quick", "--share", "2/" + all, "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
     const Experiment hierarchy = hierarchy_experiment();
-    const Rows rows = read_table(hierarchy, folder.path("out/hierarchy.csv"), false).value().rows();
+    const Rows rows = read_table(hierarchy, folder.path("out/hierarchy.csv")).value().rows();
     ASSERT_EQ(rows.size(), 3u) << "three sizes of leaves";
     for (const Row& row : rows) {
         EXPECT_GE(row.number("candidates"), row.number("touching"));
