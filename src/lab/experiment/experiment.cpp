@@ -1,5 +1,6 @@
 #include "experiment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -61,15 +62,8 @@ TableRow Row::texts(const Columns& columns, int digits) const {
 ExperimentCases Experiment::cases(bool quick) const {
     ExperimentCases all;
     for (const ExperimentPart& part : parts) {
-        for (const ExperimentCase& run : part.cases(quick)) {
-            all.push_back([run, name = part.name] {
-                Rows rows = run();
-                for (Row& row : rows) {
-                    if (!name.empty()) row.set("part", name);
-                }
-                return rows;
-            });
-        }
+        const std::string column = part.name.empty() ? "" : "part";
+        for (const ExperimentCase& run : part.cases(quick)) all.push_back(with_column(run, column, part.name));
     }
     return all;
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -154,6 +152,20 @@ Axis<Value> quick_or_whole(const Value& quick, const Value& whole) {
     return {"", {quick}, {whole}};
 }
 
+/// A case whose rows also have a value in a column, if that has a name.
+template <class Value>
+ExperimentCase with_column(const ExperimentCase& run, const std::string& column, const Value& value) {
+    return [=] {
+        Rows rows = run();
+        if constexpr (std::is_constructible_v<Cell, Value>) {
+            for (Row& row : rows) {
+                if (!column.empty()) row.set(column, value);
+            }
+        }
+        return rows;
+    };
+}
+
 inline PartCases cases_over(const ExperimentCase& measure) {
     return [=](bool) { return ExperimentCases{measure}; };
 }
@@ -161,20 +173,14 @@ inline PartCases cases_over(const ExperimentCase& measure) {
 /// A case for each choice of one value from every axis; those of the last change fastest.
 /// @param measure(values...) gives the rows, without the columns of the axes
 template <class Measure, class Value, class... Values>
-PartCases cases_over(const Measure& measure, const Axis<Value>& axis, const Axis<Values>&... others) {
+PartCases cases_over(Measure measure, const Axis<Value>& axis, const Axis<Values>&... others) {
     return [=](bool quick) {
         ExperimentCases all;
         for (const Value& value : quick ? axis.quick : axis.whole) {
-            const auto chosen = [=](const Values&... rest) {
-                Rows rows = measure(value, rest...);
-                if constexpr (std::is_constructible_v<Cell, Value>) {
-                    for (Row& row : rows) {
-                        if (!axis.column.empty()) row.set(axis.column, value);
-                    }
-                }
-                return rows;
-            };
-            std::ranges::move(cases_over(chosen, others...)(quick), std::back_inserter(all));
+            const auto chosen = [=](const Values&... rest) { return measure(value, rest...); };
+            for (const ExperimentCase& run : cases_over(chosen, others...)(quick)) {
+                all.push_back(with_column(run, axis.column, value));
+            }
         }
         return all;
     };

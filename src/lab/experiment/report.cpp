@@ -111,11 +111,9 @@ void write_report_page(const Experiment& experiment, const TableHead& head, cons
 
 }  // namespace
 
-void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) try {
+void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
     write_report_page(experiment, table.head, figures_of(experiment.charts(table.rows()), file, all), file);
-} catch (const InputError& error) {
-    throw InputError(file.string() + ": " + error.what());
 }
 
 }  // namespace drape
