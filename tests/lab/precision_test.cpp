@@ -17,10 +17,10 @@ using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-TEST(StateError, IsTheRmsDistanceOfTheParticlesOverTheSide) {
+TEST(StateError, IsTheRmsDistanceOfTheParticles) {
     Points one_off = Points::Zero(9, 3);
     one_off(2, 1) = Real(0.4);
-    EXPECT_NEAR(position_error(one_off, Points::Zero(9, 3), 2), 0.4 / 3 / 2, 1e-8);
+    EXPECT_NEAR(position_error(one_off, Points::Zero(9, 3)), 0.4 / 3, 1e-8);
 }
 
 /// The small soft sheet of the quick run.
@@ -40,7 +40,7 @@ TEST(Reference, TellsItsOwnError) {
     const Reference fine = find_reference(soft());
     for (const Real tolerance : {Real(1e-5), Real(1e-7)}) {
         const Reference coarse = find_reference(with_reference(soft(), tolerance));
-        const double truth = position_error(coarse.state.x, fine.state.x, soft().side());
+        const double truth = position_error(coarse.state.x, fine.state.x);
         EXPECT_GT(truth, 10 * fine.error);
         EXPECT_GE(coarse.error, truth);
         EXPECT_LT(coarse.error, 100 * truth);
@@ -72,7 +72,7 @@ double order_on(const PrecisionScene& scene, const Reference& reference, const I
             const Real within = scene.has_ball() ? (Real(phase) + Real(0.5)) / Real(scene.phases) : 0;
             const Finish end = finish(scene, {method, count}, within);
             EXPECT_TRUE(end.bounded);
-            squares += std::pow(position_error(end.state.x, reference.state.x, scene.side()), 2);
+            squares += std::pow(position_error(end.state.x, reference.state.x), 2);
         }
         errors.push_back(std::sqrt(squares / scene.phases));
     }
@@ -101,7 +101,7 @@ TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
     scene.horizon = Real(0.19);  // just before the impact, where errors are those of rounding
     const Reference before = find_reference(scene);
     const Finish end = finish(scene, {rk4, 64}, Real(0.5));
-    EXPECT_LT(position_error(end.state.x, before.state.x, scene.side()), 1e-8);
+    EXPECT_LT(position_error(end.state.x, before.state.x), 1e-8);
 }
 
 TEST(LabPrecision, WritesARowAStepAndTellsTheOrderAndWhatTheReferenceIsWorth) {

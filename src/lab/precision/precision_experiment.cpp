@@ -111,7 +111,7 @@ Row row_of(const Rung& rung, const PrecisionScene& scene, const Reference& refer
         const int steps = adaptive && !scene.has_ball() ? end.inner_steps : rung.steps;
         row.set({{"steps", steps}, {"step_s", scene.horizon / static_cast<Real>(steps)}});
         if (!end.bounded) return row;
-        const double error = position_error(end.state.x, reference.state.x, scene.side());
+        const double error = position_error(end.state.x, reference.state.x);
         squares += error * error;
     }
     // What was run for the errors has warmed up
@@ -192,8 +192,7 @@ Reference find_reference(const PrecisionScene& scene) {
     const double small = static_cast<double>((nudged.x - start.x).norm());
     const Points apart = finish(scene, coarse, 0, nudged).state.x - finish(scene, coarse).state.x;
     const ClothState end = finish(scene, last).state;
-    return {end, static_cast<double>(apart.norm()) / small,
-            position_error(finish(scene, before).state.x, end.x, scene.side())};
+    return {end, static_cast<double>(apart.norm()) / small, position_error(finish(scene, before).state.x, end.x)};
 }
 
 Experiment precision_experiment() {

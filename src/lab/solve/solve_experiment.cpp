@@ -56,7 +56,7 @@ Rows run_tolerances(const Method& method, int side) {
         const SolveRun run = solved_to(static_cast<Real>(tolerance), 1);
         rows.push_back(run.row);
         rows.back().set(
-            {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
+            {{"solver_error_m", position_error(run.x, solved)}, {"step_error_m", position_error(solved, truth)}});
     }
     return rows;
 }
@@ -71,7 +71,7 @@ Rows run_newton(Method method, int side) {
         for (const int parts : {1, 2, 4, 8}) {
             const SolveRun run = run_sheet(method, side, Real(0.5), parts);
             rows.push_back(run.row);
-            rows.back().set("step_error_m", position_error(run.x, truth, 1));
+            rows.back().set("step_error_m", position_error(run.x, truth));
         }
     }
     return rows;
