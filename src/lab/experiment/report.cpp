@@ -90,30 +90,24 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     return figures;
 }
 
-/// Question, charts with captions, and where it is from.
-void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
-                       const std::filesystem::path& table) {
-    std::string origin;
-    for (const char* line : head_lines) {
-        origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
-    }
-    const Row parts{{"name", experiment.name},
-                    {"question", escaped(experiment.question)},
-                    {"figures", figures},
-                    {"origin", origin},
-                    {"table", escaped(table.filename().string())}};
-    const std::string name = std::filesystem::path(table).replace_extension(".html").string();
-    OutputFile file(name);
-    file.stream() << filled("page.html", chart_file("page.html"), parts);
-    file.close();
-    std::cout << name << "\n";
-}
-
 }  // namespace
 
 void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
-    write_report_page(experiment, table.head, figures_of(experiment.charts(table.rows()), file, all), file);
+    std::string origin;
+    for (const char* line : head_lines) {
+        origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(table.head.at(line)));
+    }
+    const Row parts{{"name", experiment.name},
+                    {"question", escaped(experiment.question)},
+                    {"figures", figures_of(experiment.charts(table.rows()), file, all)},
+                    {"origin", origin},
+                    {"table", escaped(file.filename().string())}};
+    const std::string name = std::filesystem::path(file).replace_extension(".html").string();
+    OutputFile page(name);
+    page.stream() << filled("page.html", chart_file("page.html"), parts);
+    page.close();
+    std::cout << name << "\n";
 }
 
 }  // namespace drape
