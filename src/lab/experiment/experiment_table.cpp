@@ -94,13 +94,6 @@ struct TableLines {
 
 }  // namespace
 
-std::string CaseSelection::text() const {
-    std::string all = quick ? "--quick" : "whole";
-    if (!cases.empty()) all += " --cases " + cases;
-    if (!share.empty()) all += " --share " + share;
-    return all;
-}
-
 std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
     const auto range =
         parse_pair(cases.empty() ? fmt::format("1-{}", count) : cases, '-', count, "--cases", "FIRST", "LAST");
@@ -113,13 +106,16 @@ std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
 }
 
 TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases) {
+    std::string settings = selection.quick ? "--quick" : "whole";
+    if (!selection.cases.empty()) settings += " --cases " + selection.cases;
+    if (!selection.share.empty()) settings += " --share " + selection.share;
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
             {"commit", commit()},
             {"machine", machine()},
             {"compiler", compiler()},
             {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
-            {"settings", selection.text()},
+            {"settings", settings},
             {"cases", std::to_string(cases)}};
 }
 

@@ -18,9 +18,6 @@ struct CaseSelection {
     std::string cases = {};  ///< "FIRST-LAST"; empty for all
     std::string share = {};  ///< "K/N", the K-th of N parts: K, K + N, K + 2N, ...; empty for all
 
-    /// "--quick --cases 3-7 --share 1/2", or "whole" in place of "--quick".
-    [[nodiscard]] std::string text() const;
-
     /// The numbers of the cases, ascending from 1.
     /// @param count of all cases that there are
     /// @throws InputError that names the option if a part of it is none
