@@ -202,9 +202,11 @@ void write_table(const Experiment& experiment, const ExperimentTable& table, con
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
 void finish_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
+    write_table(experiment, table, unfinished_name(file));
     if (exists(file)) set_file_aside(file);
-    write_table(experiment, table, file);
-    std::filesystem::remove(unfinished_name(file));
+    std::error_code error;
+    rename(unfinished_name(file), file, error);
+    if (error) throw RunError(file.string() + ": cannot be written: " + error.message());
 }
 
 }  // namespace drape

@@ -66,7 +66,7 @@ void write_table(const Experiment& experiment, const ExperimentTable& table, con
 /// Under which a table has the cases that are done until all are.
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
 
-/// Writes a table under its own name, in place of the unfinished one. What had that name is kept under a numbered one.
+/// Writes a table as the unfinished one, and gives that its own name. What had it is kept under a numbered one.
 /// @throws RunError as `write_table`
 void finish_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 
