@@ -90,15 +90,10 @@ void OutputFile::end_stream() {
     if (buffer_->close() == nullptr) throw RunError(name_ + ": could not be written whole: " + std::strerror(errno));
 }
 
-void OutputFile::take_name() {
-    flush();
-    if (unfinished_) unfinished_->finish();
-}
-
 void OutputFile::close() {
     if (!wanted()) return;
     end_stream();
-    if (unfinished_ && !unfinished_->finished()) unfinished_->finish();
+    if (unfinished_) unfinished_->finish();
 }
 
 bool OutputFile::close_if_free() {

@@ -1,7 +1,9 @@
 # caption: Error at the horizon against the CPU time of a simulated second (medians, quartiles as bars) over a ladder of
-# caption: steps: left is more exact, down is cheaper. The order is fitted to the finest points.
+# caption: steps: left is more exact, down is cheaper. The order is fitted to the finest points. Where a ball is hit,
+# caption: errors are averaged over phases of the first impact within a step, and from it on every method is of order 1.
+# caption: The reference is in error by $reference_error$; a small error at the start grows $growth$ times.
 # A work-precision diagram: a panel for each family of methods, a line for each method, a point for each step.
-# scene; order_METHOD where one was found
+# scene
 families = 'explicit implicit positional'
 explicit = 'explicit_euler symplectic_euler velocity_verlet rk4 dormand_prince'
 implicit = 'backward_euler implicit_midpoint_clamped implicit_midpoint_exact bdf2_clamped bdf2_exact'
@@ -23,6 +25,24 @@ points = 0
 kept(error, cost) = (points = points + 1, errors[points] = error, costs[points] = cost, 0)
 stats table using (@here ? kept(column('error'), column('cost_s_per_s')) : 0) nooutput
 beaten(error, cost) = sum [k = 1:points] (errors[k] <= error && costs[k] <= cost && (errors[k] < error || costs[k] < cost))
+# The order of a method: the slope through its finest three points, if the two slopes between them differ by no more than
+# half an order, or half of the larger one; then through coarser ones, too, as long as the slope to the next is within
+# 0.15, or 15 %, of it. Rows come from long steps to short ones; those before one that was unstable do not count
+array log_step[points]; array log_error[points]
+ended(h, error) = !is('end', 'bounded') ? (n = 0, 0) : \
+  error > 0 ? (n = n + 1, log_step[n] = log(h), log_error[n] = log(error), 0) : 0
+slope(i) = log_step[i] == log_step[i + 1] ? NaN : (log_error[i] - log_error[i + 1]) / (log_step[i] - log_step[i + 1])
+fitted(m) = (middle = (sum [i = n - m + 1:n] log_step[i]) / m, \
+  (sum [i = n - m + 1:n] (log_step[i] - middle) * log_error[i]) / (sum [i = n - m + 1:n] (log_step[i] - middle)**2))
+differ(a, b) = abs(a - b) / most(1, most(a, b))
+do for [method in methods] {
+  n = 0; m = 3
+  stats table using (is('scene', scene) && is('method', method) ? ended(column('step_s'), column('error')) : 0) nooutput
+  if (n >= m && differ(slope(n - 1), slope(n - 2)) <= 0.5) {
+    while (m < n && differ(slope(n - m), fitted(m)) <= 0.15) { m = m + 1 }
+    eval sprintf('order_%s = %.17g', method, fitted(m))
+  }
+}
 # The cheapest within an error
 cheapest = ''
 within(allowed) = sprintf("best = 1e9; cheapest = 'none'; do for [method in methods] { stats table using (point(method) && \

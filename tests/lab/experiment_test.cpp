@@ -30,9 +30,8 @@ TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     EXPECT_EQ(first.out, "whole/stability.html\n");
     EXPECT_THAT(folder.read("whole/stability.html"), testing::Not(HasSubstr("<img")));
     const std::string whole = folder.read("whole/stability.csv");
-    // Cut off within the last row of a case
     std::filesystem::create_directories(folder.path("cut"));
-    const std::string part = whole.substr(0, whole.rfind("\n160,") + 7);
+    const std::string part = whole.substr(0, whole.find("\n160,") + 1) + "# end: 3\n";
     folder.write("cut/stability.csv.part", part);
     const LabRun run = run_some(folder, {"--out", "cut"});
     EXPECT_EQ(run.code, 0) << run.err;
@@ -46,6 +45,7 @@ TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     foreign.replace(line, part.find('\n', line) - line, "# commit: another");
     const std::pair<std::string, const char*> refused[]{
         {foreign, "out/stability.csv.part is of another run (commit: another, not "},
+        {whole.substr(0, whole.find("\n160,") + 7), "cut off"},
         {"# experiment: stability\ncase,x\n1,2\n", "stability.csv.part:2: 'case,x': allowed '# drape: '"}};
     std::filesystem::create_directories(folder.path("out"));
     for (const auto& [text, said] : refused) {

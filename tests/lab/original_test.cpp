@@ -31,7 +31,7 @@ TEST(LongLabOriginal, HasEveryCellWhereThereIsAProgramToDraw) {
     const LabRun run = folder.run({"original", "--quick", "--cases", "1-1", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
     const Experiment original = original_experiment();
-    const Rows rows = read_table(original, folder.path("out/original.csv"), false).value().rows();
+    const Rows rows = read_table(original, folder.path("out/original.csv")).value().rows();
     ASSERT_EQ(rows.size(), 4u);
     for (const Row& row : rows) {
         EXPECT_GT(row.number("execution_s"), 0);

@@ -44,7 +44,7 @@ TEST(NightlyLabSelfContact, FindsCrossingsWithoutTheFailSafeAndWithItWhereTheSea
     const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
     ASSERT_EQ(run.code, 0) << run.err;
     const Experiment experiment = self_contact_experiment();
-    const auto table = read_table(experiment, folder.path("out/self_contact.csv"), false);
+    const auto table = read_table(experiment, folder.path("out/self_contact.csv"));
     const Rows rows = table->rows();
     ASSERT_EQ(rows.size(), 12u) << "four steps three times";
     const Row &zones = rows[3], &rejection = rows[4], &none = rows[5];  // steps of 1/240 s

@@ -65,15 +65,14 @@ struct Text {
     [[nodiscard]] std::string all() const { return experiment + origin + settings + columns + rows + end; }
 };
 
-std::optional<ExperimentTable> read(const std::string& text, bool unfinished = false,
-                                    const std::string& experiment = "stability") {
+ExperimentTable read(const std::string& text) {
     std::istringstream in(text);
-    return read_table(experiment_of(experiment), in, "t.csv", unfinished);
+    return read_table(experiment_of("stability"), in, "t.csv");
 }
 
 /// What is said of a table that is refused; empty if it is not.
-std::string refusal(const std::string& text, bool unfinished = false) try {
-    read(text, unfinished);
+std::string refusal(const std::string& text) try {
+    read(text);
     return "";
 } catch (const InputError& error) {
     return error.what();
@@ -100,15 +99,14 @@ TEST(TableCheck, TakesNoCellThatIsMoreThanAWordOrANumber) {
 }
 
 TEST(TableCheck, RefusesATableThatWasCutOffOrHasRowsOfAnother) {
-    const auto with = [](const std::string& rows, const std::string& end, bool unfinished = false) {
+    const auto with = [](const std::string& rows, const std::string& end) {
         Text text;
         text.rows = rows, text.end = end;
-        return refusal(text.all(), unfinished);
+        return refusal(text.all());
     };
     const std::string three = Text::row("3"), four = Text::row("4");
     const char* const order = "': allowed that of the row above, or a greater one";
     EXPECT_EQ(with(three + four + three, "# end: 2\n"), std::string("t.csv:12: case '3") + order);
-    EXPECT_EQ(with(four + three, "", true), std::string("t.csv:11: case '3") + order) << "also if it is unfinished";
     for (const char* number : {"-3", "0", "3.0", "", "99999999999999999999"}) {
         EXPECT_THAT(with(three + Text::row(number), "# end: 2\n"), HasSubstr("t.csv:11: case '")) << number;
     }
@@ -138,19 +136,13 @@ TEST(TableCheck, DemandsAHeadThatSaysWhatTheTableIs) {
     EXPECT_THAT(with("A (R)", std::string(20'000, 'a')), HasSubstr("t.csv:4: cut off, or longer"));
 }
 
-TEST(TableCheck, ReadsWhatARunHasWrittenAndAnUnfinishedTableThatIsCutOffAnywhere) {
+TEST(TableCheck, ReadsWhatARunHasWrittenUnlessItIsCutOffAnywhere) {
     const std::string whole = Text().all();
-    const auto table = read(whole);
-    ASSERT_TRUE(table);
-    EXPECT_EQ(table->rows().size(), 3u);
-    EXPECT_EQ(table->cases.at(3).size(), 2u);
-    EXPECT_EQ(table->head.at("machine"), "A (R)");
-    for (std::size_t length = 0; length < whole.size(); ++length) {
-        std::optional<ExperimentTable> part;
-        ASSERT_NO_THROW(part = read(whole.substr(0, length), true)) << length;
-        EXPECT_LE(part ? part->cases.size() : 0, 1u) << "the last case may lack rows";
-    }
-    EXPECT_EQ(read(whole, true)->cases.size(), 2u);
+    const ExperimentTable table = read(whole);
+    EXPECT_EQ(table.rows().size(), 3u);
+    EXPECT_EQ(table.cases.at(3).size(), 2u);
+    EXPECT_EQ(table.head.at("machine"), "A (R)");
+    for (std::size_t length = 0; length < whole.size(); ++length) EXPECT_NE(refusal(whole.substr(0, length)), "");
 }
 
 TEST(TableRow, HasWholeNumbersAsTheyAreAndDigitsOfOthersAndItsColumnsWordForNothing) {

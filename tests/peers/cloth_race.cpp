@@ -174,7 +174,7 @@ void race_with_cloth(bool quick, std::ostream& out) {
     const int particles = quick ? 12 : 16;
     const ClothParameters sheet = hung_sheet(particles, Real(0.01));
     const Points truth = solved(sheet, Real(1e-9));
-    const auto percent_off = [&truth](const Points& x) { return 100 * position_error(x, truth, 1); };
+    const auto percent_off = [&truth](const Points& x) { return 100 * position_error(x, truth); };
     const double growth = percent_off(solved(sheet, Real(1e-9), true)) / 100 / static_cast<double>(small_error);
     if (growth > most_growth) throw RunError("small errors grow: positions are not to be compared");
     const std::string worth = fmt::format("{:.2g},{:.3g},{:.3g}", percent_off(solved(sheet, Real(1e-8))), growth,

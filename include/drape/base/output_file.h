@@ -39,10 +39,6 @@ public:
     /// @throws RunError if not everything that was written until now reached the file
     [[nodiscard]] bool cut_at(std::int64_t byte);
 
-    /// Gives the file its name now, and goes on writing it.
-    /// @throws RunError if not everything reached it
-    void take_name();
-
     /// Ends the file, and gives it its name.
     /// @throws RunError if not everything reached it: what was there before is there still
     void close();

@@ -33,8 +33,6 @@ public:
     /// Where a killed run's file has gone; empty if there was none.
     [[nodiscard]] const std::filesystem::path& set_aside() const { return set_aside_; }
 
-    [[nodiscard]] bool finished() const { return finished_; }
-
     /// Gives it its own name, in place of a file that was there, whose permissions it takes on.
     /// @throws RunError
     void finish();

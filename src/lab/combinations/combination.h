@@ -8,22 +8,21 @@
 
 namespace drape {
 
-/// The scene `drop` with a smaller cloth by every integrator with every response, discrete and continuous, each at a
-/// step that suits it. What touches is found by brute force.
-std::vector<Settings> all_combinations();
+/// The scene `drop` with a smaller cloth by an integrator with a response, at a step that suits both. What touches is
+/// found by brute force.
+Settings combination_of(IntegratorKind integrator, ResponseKind response, bool continuous);
 
 /// The same by every volume with every update, brute force left out: they must not change the motion.
 std::vector<Settings> with_all_trees(const Settings& combination);
 
-/// The number of one of these for each of `all_combinations`, such that any two values of integrator, response,
-/// detection, volume and update meet in at least one of them.
-/// @param number of the combination
-std::size_t sampled_tree(std::size_t number);
+/// One of these, such that any two values of integrator, response, detection, volume and update meet in at least one of
+/// those for all combinations.
+Settings with_sampled_tree(const Settings& combination);
 
 /// What a run has come to.
 struct CombinationRun {
     std::uint64_t hash;  ///< of the last state
-    Row row;             ///< of the experiment's table, without the trees that were compared
+    Row row;             ///< of the experiment's table, without what is combined
 };
 
 /// Runs a combination and measures after each step. The row tells the first flaw that it has by itself: it has

@@ -22,54 +22,36 @@ double step_of(IntegratorKind integrator, ResponseKind response) {
 }
 
 /// A combination, by brute force and by trees.
-Rows run_trees(const Settings& combination, const std::vector<Settings>& trees) {
+Rows run_trees(IntegratorKind integrator, ResponseKind response, const std::string& detection, bool quick) {
     constexpr double seconds = 2;
+    const Settings combination = combination_of(integrator, response, detection == "continuous");
     auto [hash, row] = run_combination(combination, seconds);
+    const auto trees = quick ? std::vector{with_sampled_tree(combination)} : with_all_trees(combination);
     for (const Settings& tree : trees) {
         if (run_combination(tree, seconds).hash == hash) continue;
         throw RunError(fmt::format("combinations: {}, {}, {}: {}, {} gives other bits than brute force",
-                                   row.word("integrator"), row.word("response"), row.word("detection"),
-                                   name_of(tree.contact.volume), name_of(tree.contact.update)));
+                                   name_of(integrator), name_of(response), detection, name_of(tree.contact.volume),
+                                   name_of(tree.contact.update)));
     }
     row.set("trees", trees.size());
     return {row};
 }
 
-ExperimentCases combination_cases(bool quick) {
-    ExperimentCases all;
-    for (const Settings& combination : all_combinations()) {
-        const std::size_t number = all.size();
-        all.push_back([=] {
-            const auto trees = with_all_trees(combination);
-            return run_trees(combination, quick ? std::vector{trees[sampled_tree(number)]} : trees);
-        });
-    }
-    return all;
-}
-
 }  // namespace
 
-std::vector<Settings> all_combinations() {
+Settings combination_of(IntegratorKind integrator, ResponseKind response, bool continuous) {
     Settings settings = load_scene("drop");
     settings.cloths[0].particles = {10, 10};
     settings.cloths[0].structural = {200, Real(0.05)};  // damped enough for explicit Euler
+    settings.solver.integrator = integrator;
+    settings.solver.dt = step_of(integrator, response);
     settings.contact.self = false;
+    settings.contact.response = response;
+    settings.contact.continuous = continuous ? Continuous::Always : Continuous::Never;
     settings.contact.volume = VolumeKind::Brute;
     settings.contact.update = UpdateKind::Rebuild;
     settings.contact.leaf_cells = 2;
-    std::vector<Settings> all;
-    for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
-        for (const ResponseKind response : values_of<ResponseKind>()) {
-            for (const Continuous continuous : {Continuous::Never, Continuous::Always}) {
-                settings.solver.integrator = integrator;
-                settings.solver.dt = step_of(integrator, response);
-                settings.contact.response = response;
-                settings.contact.continuous = continuous;
-                all.push_back(settings);
-            }
-        }
-    }
-    return all;
+    return settings;
 }
 
 std::vector<Settings> with_all_trees(const Settings& combination) {
@@ -85,11 +67,14 @@ std::vector<Settings> with_all_trees(const Settings& combination) {
     return all;
 }
 
-std::size_t sampled_tree(std::size_t number) {
+Settings with_sampled_tree(const Settings& combination) {
     constexpr std::size_t updates = enum_count<UpdateKind>, volumes = enum_count<VolumeKind> - 1;
     // Both numbers go through all their values for one integrator, and from one integrator to the next
-    const std::size_t integrator = number / 8, rest = number % 8;
-    return (integrator + rest) % volumes * updates + (3 * integrator + rest) % updates;
+    const ContactSettings& contact = combination.contact;
+    const auto integrator = static_cast<std::size_t>(combination.solver.integrator);
+    const std::size_t rest =
+        2 * static_cast<std::size_t>(contact.response) + (contact.continuous == Continuous::Always);
+    return with_all_trees(combination)[(integrator + rest) % volumes * updates + (3 * integrator + rest) % updates];
 }
 
 CombinationRun run_combination(const Settings& combination, double seconds) {
@@ -120,12 +105,8 @@ CombinationRun run_combination(const Settings& combination, double seconds) {
                        : !(energy_gain <= max_gain)       ? "energy"
                        : !(report.rms_speed <= max_speed) ? "speed"
                                                           : "none";
-    const bool continuous = combination.contact.continuous == Continuous::Always;
     return {simulation.hash(),
-            {{"integrator", combination.solver.integrator},
-             {"response", combination.contact.response},
-             {"detection", continuous ? "continuous" : "discrete"},
-             {"step_s", combination.solver.dt},
+            {{"step_s", combination.solver.dt},
              {"touched_steps", touched},
              {"penetration_m", penetration},
              {"energy_gain_m", energy_gain},
@@ -144,7 +125,11 @@ Experiment combinations_experiment() {
              "energy_gain_m",  // largest rise above the least so far: the height by which it would lift
              "speed_m_per_s",  // RMS at the end
              "flaw"},
-            {{"", combination_cases, {}}}};
+            {{"",
+              cases_over(run_trees, Axis<IntegratorKind>{"integrator", values_of<IntegratorKind>()},
+                         Axis<ResponseKind>{"response", values_of<ResponseKind>()},
+                         Axis<std::string>{"detection", {"discrete", "continuous"}}, quick_or_whole(true, false)),
+              {}}}};
 }
 
 }  // namespace drape

@@ -183,8 +183,6 @@ Rows run_contact_case(double speed, double step, int repeats) {
         // A ball that has gone through counts with its radius
         row.set({{"search", name},
                  {"tests", std::to_string(settings.contact.search_tests)},
-                 {"speed_m_per_s", speed},
-                 {"step_s", step},
                  {"penetration_m", run.passed ? radius : run.entered},
                  {"left_m", run.passed ? radius : run.left},
                  {"momentum_error", (run.momentum - reference.momentum).norm() / reference.momentum.norm()},
@@ -195,13 +193,6 @@ Rows run_contact_case(double speed, double step, int repeats) {
                  {"reference_penetration_m", reference.left}});
     }
     return rows;
-}
-
-ExperimentCases contact_cases(bool quick) {
-    std::vector rates{30.0, 60.0, 120.0, 240.0, 480.0, 960.0};
-    if (!quick) rates.push_back(1920);
-    return cases_over([=](double speed, double rate) { return run_contact_case(speed, 1 / rate, quick ? 5 : 15); },
-                      quick ? std::vector{2.0, 8.0, 32.0} : std::vector{0.5, 2.0, 8.0, 32.0}, rates);
 }
 
 }  // namespace
@@ -216,7 +207,11 @@ Experiment contact_experiment() {
              "momentum_error", "passed", "false_contacts",
              quartile_columns("cpu_s_per_s"),  // time for a simulated second
              "reference_triangles", "reference_penetration_m"},
-            {{"", contact_cases, {{"contact"}}}}};
+            {{"",
+              cases_over(run_contact_case, Axis<double>{"speed_m_per_s", {2, 8, 32}, {0.5, 2, 8, 32}},
+                         steps_a_second({30, 60, 120, 240, 480, 960}, {30, 60, 120, 240, 480, 960, 1920}),
+                         quick_or_whole(5, 15)),
+              {{"contact"}}}}};
 }
 
 }  // namespace drape

@@ -81,8 +81,7 @@ SelfContactRun watch_sheets(const ContactScene& scene, double step, FailSafe fai
         for (const auto& [column, count] : counts) means[column] += share * static_cast<double>(count);
         penetration = std::max(penetration, meeting.penetration);
     }
-    Row row{{"thickness_m", scene.settings.contact.thickness},
-            {"step_s", step},
+    Row row{{"step_s", step},
             {"fail_safe", fail_safe},
             {"crossings", meeting.crossings},
             {"penetration_m", penetration},
@@ -121,13 +120,6 @@ Rows run_thickness(double thickness, const std::vector<double>& rates, int finer
         }
     }
     return rows;
-}
-
-ExperimentCases self_contact_cases(bool quick) {
-    const auto rates =
-        quick ? std::vector{120.0, 240.0, 480.0, 960.0} : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0};
-    return cases_over([=](double thickness) { return run_thickness(thickness, rates, quick ? 2 : 4, quick ? 1 : 5); },
-                      std::vector{1.25e-4, 5e-4, 2e-3, 8e-3});
 }
 
 }  // namespace
@@ -194,13 +186,18 @@ SheetMeeting meeting_of(const ContactTrial& sheets) {
 }
 
 Experiment self_contact_experiment() {
-    return {"self_contact",
-            "what keeps cloth from crossing cloth, and at which step?",
-            6,
-            {"thickness_m", "step_s", "fail_safe", "crossings", "crossed_steps", "unsearched_steps", "unsafe_steps",
-             "penetration_m", "momentum_error", "momentum_change", "pair_tests", "held_back", "rejected",
-             quartile_columns("cpu_s_per_s")},  // time for a simulated second
-            {{"", self_contact_cases, {{"self_contact"}}}}};
+    return {
+        "self_contact",
+        "what keeps cloth from crossing cloth, and at which step?",
+        6,
+        {"thickness_m", "step_s", "fail_safe", "crossings", "crossed_steps", "unsearched_steps", "unsafe_steps",
+         "penetration_m", "momentum_error", "momentum_change", "pair_tests", "held_back", "rejected",
+         quartile_columns("cpu_s_per_s")},  // time for a simulated second
+        {{"",
+          cases_over(run_thickness, Axis<double>{"thickness_m", {1.25e-4, 5e-4, 2e-3, 8e-3}},
+                     quick_or_whole<std::vector<double>>({120, 240, 480, 960}, {60, 120, 240, 480, 960, 1920, 3840}),
+                     quick_or_whole(2, 4), quick_or_whole(1, 5)),
+          {{"self_contact"}}}}};
 }
 
 }  // namespace drape

@@ -110,10 +110,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
         discrete_missed += !discrete;
         continuous_missed += !continuous;
     }
-    return {{{"target", target},
-             {"q", q},
-             {"shots", shots},
-             {"discrete_missed", discrete_missed / shots},
+    return {{{"discrete_missed", discrete_missed / shots},
              {"continuous_missed", continuous_missed / shots},
              {"predicted", predicted_misses(point, q)}}};
 }
@@ -162,20 +159,6 @@ Rows times_of(int side, int steps) {
     return rows;
 }
 
-ExperimentCases miss_cases(bool quick) {
-    return cases_over(
-        [=](const std::string& target, double q) { return misses_at(target, q, quick ? 5'000 : 100'000); },
-        std::vector<std::string>{"point", "sheet"},
-        quick
-            ? std::vector{0.5, 1.0, 2.0, 8.0}
-            : std::vector{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 8.0, 16.0, 83.0});
-}
-
-ExperimentCases time_cases(bool quick) {
-    return cases_over([=](int side) { return times_of(side, quick ? 31 : 101); },
-                      quick ? std::vector{32, 64} : std::vector{16, 32, 64, 128, 256, 512});
-}
-
 }  // namespace
 
 Experiment continuous_experiment() {
@@ -187,7 +170,16 @@ Experiment continuous_experiment() {
              "shots",
              "discrete_missed",  // part of the shots
              "continuous_missed", "predicted", "particles", quartile_columns("build_s"), quartile_columns("search_s")},
-            {{"misses", miss_cases, {{"continuous_misses"}}}, {"time", time_cases, {{"continuous_time"}}}}};
+            {{"misses",
+              cases_over(misses_at, Axis<std::string>{"target", {"point", "sheet"}},
+                         Axis<double>{"q",
+                                      {0.5, 1, 2, 8},
+                                      {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1, 1.25, 1.5, 2, 3, 4, 8, 16, 83}},
+                         Axis<int>{"shots", {5'000}, {100'000}}),
+              {{"continuous_misses"}}},
+             {"time",
+              cases_over(times_of, Axis<int>{"", {32, 64}, {16, 32, 64, 128, 256, 512}}, quick_or_whole(31, 101)),
+              {{"continuous_time"}}}}};
 }
 
 }  // namespace drape

@@ -1,6 +1,8 @@
 #include "experiment.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "drape/base/input_error.h"
 #include "drape/base/numbers.h"
@@ -57,31 +59,11 @@ TableRow Row::texts(const Columns& columns, int digits) const {
     return texts;
 }
 
-Rows rows_with(Rows rows, const std::string& column, const std::string& word) {
-    std::erase_if(rows, [&](const Row& row) { return row.word(column) != word; });
-    return rows;
-}
-
-std::vector<std::string> words_of(const Rows& rows, const std::string& column) {
-    std::vector<std::string> words;
-    for (const Row& row : rows) {
-        if (std::ranges::find(words, row.word(column)) == words.end()) words.push_back(row.word(column));
-    }
-    return words;
-}
-
 ExperimentCases Experiment::cases(bool quick) const {
     ExperimentCases all;
     for (const ExperimentPart& part : parts) {
-        for (const ExperimentCase& run : part.cases(quick)) {
-            all.push_back([run, name = part.name] {
-                Rows rows = run();
-                for (Row& row : rows) {
-                    if (!name.empty()) row.set("part", name);
-                }
-                return rows;
-            });
-        }
+        const std::string column = part.name.empty() ? "" : "part";
+        for (const ExperimentCase& run : part.cases(quick)) all.push_back(with_column(run, column, part.name));
     }
     return all;
 }
@@ -89,16 +71,18 @@ ExperimentCases Experiment::cases(bool quick) const {
 std::vector<Chart> Experiment::charts(const Rows& rows) const {
     std::vector<Chart> all;
     for (const ExperimentPart& part : parts) {
-        const Rows own = part.name.empty() ? rows : rows_with(rows, "part", part.name);
-        if (part.charts_by.empty()) {
-            if (!own.empty()) std::ranges::copy(part.charts, std::back_inserter(all));
-            continue;
-        }
-        for (const std::string& word : words_of(own, part.charts_by)) {
+        std::set<std::string> drawn;
+        for (const Row& row : rows) {
+            if (!part.name.empty() && row.word("part") != part.name) continue;
+            const std::string word = part.charts_by.empty() ? "" : row.word(part.charts_by);
+            if (!drawn.insert(word).second) continue;
             for (Chart chart : part.charts) {
-                chart.script = std::exchange(chart.name, chart.name + "_" + word);
-                chart.values[part.charts_by] = quoted(word);
-                if (chart.complete) chart.complete(chart, rows_with(own, part.charts_by, word));
+                chart.row = row;
+                if (chart.script.empty()) chart.script = chart.name;
+                if (!part.charts_by.empty()) {
+                    chart.name += "_" + word;
+                    chart.values[part.charts_by] = quoted(word);
+                }
                 all.push_back(chart);
             }
         }

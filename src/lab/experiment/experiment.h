@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <functional>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <string>
 #include <type_traits>
@@ -38,14 +36,22 @@ Columns quartile_columns(const char* median);
 /// One line of an experiment's table, a text a column.
 using TableRow = std::vector<std::string>;
 
-/// What a row has in a column: a word, all digits of a number, or a median and its quartiles, which are cells of their
-/// own.
+/// What has a name: a method, a scene.
+template <class Thing>
+concept Named = requires(const Thing& thing) {
+    std::string(thing.name);
+};
+
+/// What a row has in a column: a word, the name of a thing, all digits of a number, or a median and its quartiles,
+/// which are cells of their own.
 struct Cell : std::variant<std::string, Quartiles> {
     template <class Number>
     requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Cell(Number number)
         : variant(std::is_integral_v<Number> ? std::to_string(number) : real_text(static_cast<double>(number))) {}
     template <Enumeration Enum>
     Cell(Enum value) : variant(name_of(value)) {}
+    template <Named Thing>
+    Cell(const Thing& thing) : variant(thing.name) {}
     Cell(const char* word) : variant(word) {}
     Cell(std::string word) : variant(std::move(word)) {}
     Cell(const Quartiles& quartiles) : variant(quartiles) {}
@@ -64,6 +70,8 @@ public:
     /// Sets the cells that another row has.
     void set(const Row& other);
 
+    [[nodiscard]] bool has(const std::string& column) const { return cells_.contains(column); }
+
     /// What it has in a column, as a number and as it is.
     /// @throws std::out_of_range if the row has no cell there; InputError if it has a word where a number is asked for
     [[nodiscard]] double number(const std::string& column) const;
@@ -80,20 +88,12 @@ private:
 
 using Rows = std::vector<Row>;
 
-/// Rows that have a word in a column.
-Rows rows_with(Rows rows, const std::string& column, const std::string& word);
-
-/// The words that rows have in a column, each once, in the order in which they come.
-std::vector<std::string> words_of(const Rows& rows, const std::string& column);
-
 /// A picture of a table, drawn by gnuplot from an installed script.
 struct Chart {
     std::string name;  ///< of the files, without what follows the dot: letters, digits and '_'
     std::map<std::string, std::string> values = {};  ///< variables of the script; `table` and `name` are always there
     std::string script = {};                         ///< charts/SCRIPT.gp; empty: that of the chart's name
-    std::string caption = {};                        ///< under the picture, after what the script's head says of it
-    /// Adds values and a caption that follow from the rows of its word, where `charts_by` draws a chart for each word.
-    std::function<void(Chart&, const Rows& rows)> complete = {};
+    Row row = {};                                    ///< the first that it is drawn of: captions name cells of it
 };
 
 /// Words as a value of a chart. What a table was read with is none but such.
@@ -102,13 +102,14 @@ inline std::string quoted(const std::string& words) { return "'" + words + "'"; 
 /// A part of an experiment that needs no other: it computes some rows of the table, at least one.
 using ExperimentCase = std::function<Rows()>;
 using ExperimentCases = std::vector<ExperimentCase>;
+using PartCases = std::function<ExperimentCases(bool quick)>;
 
 /// Some cases, and what is drawn of their rows where there are any. A share may have none, and a script that finds
 /// nothing to draw makes no picture.
 struct ExperimentPart {
     /// Written to column `part` of its rows; empty if it is the only part and there is no such column.
     std::string name;
-    std::function<ExperimentCases(bool quick)> cases;
+    PartCases cases;
     std::vector<Chart> charts;
     /// Each chart is drawn as NAME_WORD for each word that rows have in this column, which is the script's variable of
     /// that name; empty: once.
@@ -126,23 +127,63 @@ struct Experiment {
     /// Those of all parts.
     [[nodiscard]] ExperimentCases cases(bool quick) const;
 
-    /// Those of all parts.
+    /// Those of all parts that have rows, each with its script.
     /// @param rows with a cell in every column
     [[nodiscard]] std::vector<Chart> charts(const Rows& rows) const;
 };
 
-/// A case for each choice of one value from every list; those of the last list change fastest.
-/// @param run(values...) gives the rows
-inline ExperimentCases cases_over(const ExperimentCase& run) { return {run}; }
+/// Values that the cases of a part go through, of which a quick run may have others.
+template <class Value>
+struct Axis {
+    std::string column;  ///< of the value, in all rows of its cases; empty: none
+    std::vector<Value> quick, whole = quick;
+};
 
-template <class Run, class Value, class... Values>
-ExperimentCases cases_over(const Run& run, const std::vector<Value>& list, const std::vector<Values>&... lists) {
-    ExperimentCases all;
-    for (const Value& value : list) {
-        const auto chosen = [=](const Values&... others) { return run(value, others...); };
-        std::ranges::move(cases_over(chosen, lists...), std::back_inserter(all));
-    }
-    return all;
+/// Steps that divide a second, by how many of them make one.
+inline Axis<double> steps_a_second(std::vector<double> quick, std::vector<double> whole) {
+    for (double& step : quick) step = 1 / step;
+    for (double& step : whole) step = 1 / step;
+    return {"step_s", quick, whole};
+}
+
+/// What a run is told by its size.
+template <class Value>
+Axis<Value> quick_or_whole(const Value& quick, const Value& whole) {
+    return {"", {quick}, {whole}};
+}
+
+/// A case whose rows also have a value in a column, if that has a name.
+template <class Value>
+ExperimentCase with_column(const ExperimentCase& run, const std::string& column, const Value& value) {
+    return [=] {
+        Rows rows = run();
+        if constexpr (std::is_constructible_v<Cell, Value>) {
+            for (Row& row : rows) {
+                if (!column.empty()) row.set(column, value);
+            }
+        }
+        return rows;
+    };
+}
+
+inline PartCases cases_over(const ExperimentCase& measure) {
+    return [=](bool) { return ExperimentCases{measure}; };
+}
+
+/// A case for each choice of one value from every axis; those of the last change fastest.
+/// @param measure(values...) gives the rows, without the columns of the axes
+template <class Measure, class Value, class... Values>
+PartCases cases_over(Measure measure, const Axis<Value>& axis, const Axis<Values>&... others) {
+    return [=](bool quick) {
+        ExperimentCases all;
+        for (const Value& value : quick ? axis.quick : axis.whole) {
+            const auto chosen = [=](const Values&... rest) { return measure(value, rest...); };
+            for (const ExperimentCase& run : cases_over(chosen, others...)(quick)) {
+                all.push_back(with_column(run, axis.column, value));
+            }
+        }
+        return all;
+    };
 }
 
 }  // namespace drape

@@ -15,6 +15,7 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
+#include "drape/base/output_file.h"
 #include "drape/base/real.h"
 
 namespace drape {
@@ -71,54 +72,27 @@ bool is_plain(std::string_view cell) {
 }
 
 /// The lines of a table, one after the other.
-class TableLines {
-public:
-    TableLines(std::istream& in, const std::string& name, bool unfinished)
-        : in_(in), name_(name), unfinished_(unfinished) {}
+struct TableLines {
+    std::istream& in;
+    const std::string& name;
+    std::string line = {};
+    int number = 0;
 
-    /// False at the end, or where an unfinished table is cut off.
+    /// False at the end.
     bool next() {
-        const LineEnd end = read_line(in_, line, longest_line);
-        if (end == LineEnd::None || (end == LineEnd::CutOff && unfinished_)) return false;
-        ++number_;
+        const LineEnd end = read_line(in, line, longest_line);
+        if (end == LineEnd::None) return false;
+        ++number;
         if (end != LineEnd::Whole) fail("cut off, or longer than a table's line may be");
         return true;
     }
 
-    /// @return nothing where it is cut off before its head ends
-    std::optional<TableHead> read_head() {
-        TableHead head;
-        for (const std::string name : head_lines) {
-            if (!next()) return {};
-            const std::string mark = "# " + name + ": ";
-            if (!std::ranges::all_of(line, [](char c) { return c >= ' ' && c <= '~'; })) fail("allowed is plain ASCII");
-            if (!line.starts_with(mark)) fail(fmt::format("'{}': allowed '{}' of a head", shortened(line), mark));
-            head[name] = line.substr(mark.size());
-        }
-        return head;
-    }
-
     [[noreturn]] void fail(const std::string& why) const {
-        throw InputError(fmt::format("{}:{}: {}", name_, number_, why));
+        throw InputError(fmt::format("{}:{}: {}", name, number, why));
     }
-
-    std::string line;
-
-private:
-    std::istream& in_;
-    const std::string& name_;
-    bool unfinished_;
-    int number_ = 0;
 };
 
 }  // namespace
-
-std::string CaseSelection::text() const {
-    std::string all = quick ? "--quick" : "whole";
-    if (!cases.empty()) all += " --cases " + cases;
-    if (!share.empty()) all += " --share " + share;
-    return all;
-}
 
 std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
     const auto range =
@@ -132,13 +106,16 @@ std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
 }
 
 TableHead head_of(const Experiment& experiment, const CaseSelection& selection, std::size_t cases) {
+    std::string settings = selection.quick ? "--quick" : "whole";
+    if (!selection.cases.empty()) settings += " --cases " + selection.cases;
+    if (!selection.share.empty()) settings += " --share " + selection.share;
     return {{"experiment", experiment.name},
             {"drape", std::string(DRAPE_VERSION) + (sizeof(Real) == 4 ? ", single" : ", double") + " precision"},
             {"commit", commit()},
             {"machine", machine()},
             {"compiler", compiler()},
             {"date", fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)))},
-            {"settings", selection.text()},
+            {"settings", settings},
             {"cases", std::to_string(cases)}};
 }
 
@@ -156,19 +133,24 @@ Rows ExperimentTable::rows() const {
     return all;
 }
 
-std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
-                                          bool unfinished) {
-    TableLines lines(in, name, unfinished);
-    const auto head = lines.read_head();
-    if (!head || !lines.next()) {
-        if (unfinished) return {};
-        lines.fail("there is no table");
+ExperimentTable read_table(const Experiment& experiment, std::istream& in, const std::string& name) {
+    TableLines lines{in, name};
+    ExperimentTable table;
+    for (const std::string line : head_lines) {
+        const std::string mark = "# " + line + ": ";
+        if (!lines.next()) lines.fail("there is no table");
+        if (!std::ranges::all_of(lines.line, [](char c) { return c >= ' ' && c <= '~'; })) {
+            lines.fail("allowed is plain ASCII");
+        }
+        if (!lines.line.starts_with(mark)) {
+            lines.fail(fmt::format("'{}': allowed '{}' of a head", shortened(lines.line), mark));
+        }
+        table.head[line] = lines.line.substr(mark.size());
     }
     const Columns& columns = experiment.columns;
-    if (head->at("experiment") != experiment.name || lines.line != columns_line(experiment)) {
+    if (!lines.next() || table.head["experiment"] != experiment.name || lines.line != columns_line(experiment)) {
         lines.fail("this is no table of " + experiment.name + ", or of another version");
     }
-    ExperimentTable table{*head, {}};
     while (lines.next()) {
         if (lines.line.starts_with('#')) {
             const std::string end = end_line(table.cases.size());
@@ -193,47 +175,38 @@ std::optional<ExperimentTable> read_table(const Experiment& experiment, std::ist
             row.set(columns[k].name, std::string(cells[k + 1]));
         }
     }
-    if (!unfinished) lines.fail("cut off: expected '" + end_line(table.cases.size()) + "'");
-    // Its last rows may be missing. Cases are computed in ascending order
-    if (!table.cases.empty()) table.cases.erase(std::prev(table.cases.end()));
-    return table;
+    lines.fail("cut off: expected '" + end_line(table.cases.size()) + "'");
 }
 
-std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
-                                          bool unfinished) {
+std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file) {
     if (!exists(file)) return {};
     InputFile in(file.string(), largest_table, InputKind::Regular);
-    return read_table(experiment, in, file.string(), unfinished);
+    return read_table(experiment, in, file.string());
+}
+
+void write_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
+    OutputFile out(file.string());
+    for (const char* line : head_lines) out.stream() << "# " << line << ": " << table.head.at(line) << '\n';
+    out.stream() << columns_line(experiment) << '\n';
+    for (const auto& [number, rows] : table.cases) {
+        DRAPE_ASSERT(!rows.empty());
+        for (const Row& row : rows) {
+            const TableRow texts = row.texts(experiment.columns, experiment.digits);
+            out.stream() << fmt::format("{},{}\n", number, fmt::join(texts, ","));
+        }
+    }
+    out.stream() << end_line(table.cases.size()) << '\n';
+    out.close();
 }
 
 std::filesystem::path unfinished_name(const std::filesystem::path& file) { return file.string() + ".part"; }
 
-TableWriter::TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table)
-    : experiment_(experiment), file_(file), out_(unfinished_name(file).string()) {
-    for (const char* line : head_lines) out_.stream() << "# " << line << ": " << table.head.at(line) << '\n';
-    out_.stream() << columns_line(experiment) << '\n';
-    for (const auto& [number, rows] : table.cases) write(number, rows);
-    // What was there is in it, and is not touched before
-    out_.take_name();
-}
-
-void TableWriter::write(std::size_t number, const Rows& rows) {
-    DRAPE_ASSERT(!rows.empty());
-    for (const Row& row : rows) {
-        out_.stream() << fmt::format("{},{}\n", number,
-                                     fmt::join(row.texts(experiment_.columns, experiment_.digits), ","));
-    }
-    ++cases_;
-    out_.flush();
-}
-
-void TableWriter::finish() {
-    out_.stream() << end_line(cases_) << '\n';
-    out_.close();
-    if (exists(file_)) set_file_aside(file_);
+void finish_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
+    write_table(experiment, table, unfinished_name(file));
+    if (exists(file)) set_file_aside(file);
     std::error_code error;
-    rename(unfinished_name(file_), file_, error);
-    if (error) throw RunError(file_.string() + ": cannot be written: " + error.message());
+    rename(unfinished_name(file), file, error);
+    if (error) throw RunError(file.string() + ": cannot be written: " + error.message());
 }
 
 }  // namespace drape

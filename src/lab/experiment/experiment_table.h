@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "drape/base/output_file.h"
 #include "experiment.h"
 
 namespace drape {
@@ -18,9 +17,6 @@ struct CaseSelection {
     bool quick = false;
     std::string cases = {};  ///< "FIRST-LAST"; empty for all
     std::string share = {};  ///< "K/N", the K-th of N parts: K, K + N, K + 2N, ...; empty for all
-
-    /// "--quick --cases 3-7 --share 1/2", or "whole" in place of "--quick".
-    [[nodiscard]] std::string text() const;
 
     /// The numbers of the cases, ascending from 1.
     /// @param count of all cases that there are
@@ -54,44 +50,25 @@ struct ExperimentTable {
 /// Reads a table that an experiment has written. One that was cut off, or has rows of another table between its own, is
 /// refused; so is a cell that is no plain word or number, whatever it is that somebody has put there.
 /// @param name of the file, for messages
-/// @param unfinished it may be cut off anywhere, and the last case with it: that is left out
-/// @return nothing if it is unfinished and cut off before its first row
 /// @throws InputError with name and line, if it is not such a table
-std::optional<ExperimentTable> read_table(const Experiment& experiment, std::istream& in, const std::string& name,
-                                          bool unfinished);
+ExperimentTable read_table(const Experiment& experiment, std::istream& in, const std::string& name);
 
 /// The same of a file.
-/// @return nothing also if there is no such file
+/// @return nothing if there is no such file
 /// @throws InputError also if it cannot be read, or is larger than a table may be
-std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file,
-                                          bool unfinished);
+std::optional<ExperimentTable> read_table(const Experiment& experiment, const std::filesystem::path& file);
 
-/// Writes a table case by case, under a name that says that it is not finished until it is.
-class TableWriter {
-public:
-    /// @param table what is written at once
-    /// @throws RunError if the folder or the file cannot be written
-    TableWriter(const Experiment& experiment, const std::filesystem::path& file, const ExperimentTable& table);
+/// Writes a table, whole or not at all.
+/// @pre each case has rows
+/// @throws RunError if it cannot be written, or has a cell that no column has
+void write_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 
-    /// All of a case reaches the file, or counts as not done.
-    /// @pre it has rows
-    /// @throws RunError if it cannot be written, or has a cell that no column has
-    void write(std::size_t number, const Rows& rows);
-
-    /// Closes the table with the number of its cases, and gives the file its name. What has that name is kept under a
-    /// numbered one.
-    /// @throws RunError if not everything was written
-    void finish();
-
-private:
-    const Experiment& experiment_;
-    std::filesystem::path file_;
-    OutputFile out_;  ///< named ".part" once its head is there
-    std::size_t cases_ = 0;
-};
-
-/// Under which a table is written until it is finished.
+/// Under which a table has the cases that are done until all are.
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
+
+/// Writes a table as the unfinished one, and gives that its own name. What had it is kept under a numbered one.
+/// @throws RunError as `write_table`
+void finish_table(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file);
 
 /// Shows a finished table: draws the charts beside it as SVG and PNG, each by NAME.gnuplot, which stays there for who
 /// wants to change it, and writes NAME.html, which opens from disk and needs nothing but these. Prints where that is,

@@ -19,17 +19,31 @@ namespace {
 /// A shipped file of the charts: a script, or the page.
 std::string chart_file(const std::string& name) { return read_text(find_resource("charts/" + name).string()); }
 
-/// What the head of a script says that its chart shows, in lines that begin with a mark; then more.
-/// @param name of the script, for the message
-std::string caption_of(const std::string& name, const std::string& script, const std::string& more) {
+/// A shipped text in which each name between two '$' is replaced by what a row has there.
+/// @param file of the text, for the message
+std::string filled(const std::string& file, const std::string& text, const Row& row) {
+    std::istringstream in(text);
+    std::string all;
+    for (std::string words, name; std::getline(in, words, '$');) {
+        all += words;
+        if (!std::getline(in, name, '$')) break;
+        if (!row.has(name)) throw RunError("charts/" + file + " has an unknown part: $" + shortened(name) + "$");
+        all += row.word(name);
+    }
+    return all;
+}
+
+/// What the head of a chart's script says that it shows, in lines that begin with a mark.
+std::string caption_of(const Chart& chart, const std::string& script) {
     constexpr std::string_view mark = "# caption: ";
+    const std::string file = chart.script + ".gp";
     std::istringstream text(script);
     std::string caption;
     for (std::string line; std::getline(text, line);) {
         if (line.starts_with(mark)) caption += line.substr(mark.size()) + " ";
     }
-    if (caption.empty()) throw RunError("charts/" + name + ".gp has no line '" + std::string(mark) + "'");
-    return std::string(trimmed(caption + more));
+    if (caption.empty()) throw RunError("charts/" + file + " has no line '" + std::string(mark) + "'");
+    return filled(file, std::string(trimmed(caption)), chart.row);
 }
 
 /// Text as a page shows it.
@@ -52,7 +66,7 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
     for (Chart chart : charts) {
         const std::string name = chart.name, script = name + ".gnuplot";
         chart.values.insert({{"name", quoted(name)}, {"table", quoted(table.filename().string())}});
-        const std::string own_name = chart.script.empty() ? name : chart.script, own = chart_file(own_name + ".gp");
+        const std::string own = chart_file(chart.script + ".gp");
         OutputFile file((folder / script).string());
         file.stream() << "# To draw the chart once more, in this folder: gnuplot " << script << "\n";
         for (const auto& [variable, value] : chart.values) file.stream() << variable << " = " << value << "\n";
@@ -71,44 +85,29 @@ std::string figures_of(const std::vector<Chart>& charts, const std::filesystem::
         figures += fmt::format(
             "<figure>\n<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n<figcaption>{1}</figcaption>\n"
             "</figure>\n",
-            name, escaped(caption_of(own_name, own, chart.caption)));
+            name, escaped(caption_of(chart, own)));
     }
     return figures;
 }
 
-/// Question, charts with captions, and where it is from.
-void write_report_page(const Experiment& experiment, const TableHead& head, const std::string& figures,
-                       const std::filesystem::path& table) {
-    std::string origin;
-    for (const char* line : head_lines) {
-        origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(head.at(line)));
-    }
-    const std::map<std::string, std::string> parts{{"name", experiment.name},
-                                                   {"question", escaped(experiment.question)},
-                                                   {"figures", figures},
-                                                   {"origin", origin},
-                                                   {"table", escaped(table.filename().string())}};
-    const std::string name = std::filesystem::path(table).replace_extension(".html").string();
-    OutputFile file(name);
-    std::istringstream page(chart_file("page.html"));
-    // The name of a part stands between two '$'
-    for (std::string text, part; std::getline(page, text, '$');) {
-        file.stream() << text;
-        if (!std::getline(page, part, '$')) break;
-        if (!parts.contains(part)) throw RunError("charts/page.html has an unknown part: $" + shortened(part) + "$");
-        file.stream() << parts.at(part);
-    }
-    file.close();
-    std::cout << name << "\n";
-}
-
 }  // namespace
 
-void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) try {
+void present(const Experiment& experiment, const ExperimentTable& table, const std::filesystem::path& file) {
     const bool all = table.head.at("settings").find(" --") == std::string::npos;  // neither cases nor a share
-    write_report_page(experiment, table.head, figures_of(experiment.charts(table.rows()), file, all), file);
-} catch (const InputError& error) {
-    throw InputError(file.string() + ": " + error.what());
+    std::string origin;
+    for (const char* line : head_lines) {
+        origin += fmt::format("<dt>{}</dt><dd>{}</dd>\n", line, escaped(table.head.at(line)));
+    }
+    const Row parts{{"name", experiment.name},
+                    {"question", escaped(experiment.question)},
+                    {"figures", figures_of(experiment.charts(table.rows()), file, all)},
+                    {"origin", origin},
+                    {"table", escaped(file.filename().string())}};
+    const std::string name = std::filesystem::path(file).replace_extension(".html").string();
+    OutputFile page(name);
+    page.stream() << filled("page.html", chart_file("page.html"), parts);
+    page.close();
+    std::cout << name << "\n";
 }
 
 }  // namespace drape

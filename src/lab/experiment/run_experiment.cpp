@@ -36,7 +36,7 @@ std::filesystem::path folder_of(const Experiment& experiment, const RunOptions& 
 /// What an interrupted run of the same program, machine and settings has left, or an empty table.
 ExperimentTable resumed(const Experiment& experiment, const TableHead& head, const std::filesystem::path& file) {
     const auto part = unfinished_name(file);
-    auto left = read_table(experiment, part, true);
+    auto left = read_table(experiment, part);
     if (!left) return {head, {}};
     if (const auto differs = difference(left->head, head, {"date"}); !differs.empty()) {
         throw InputError(part.string() + " is of another run (" + differs +
@@ -51,26 +51,31 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
 /// Computes the cases that are missing.
 void compute(const Experiment& experiment, const ExperimentCases& cases, const std::vector<std::size_t>& wanted,
              const TableHead& head, const std::filesystem::path& file) {
-    const ExperimentTable done = resumed(experiment, head, file);
-    TableWriter writer(experiment, file, done);
+    constexpr double most_unwritten = 1;  // s
+    ExperimentTable table = resumed(experiment, head, file);
+    write_table(experiment, table, unfinished_name(file));
     const Stopwatch watch;
+    Stopwatch unwritten;
     const auto missing = static_cast<std::size_t>(
-        std::ranges::count_if(wanted, [&](std::size_t number) { return !done.cases.contains(number); }));
+        std::ranges::count_if(wanted, [&](std::size_t number) { return !table.cases.contains(number); }));
     Progress progress(missing, "case");
     for (const std::size_t number : wanted) {
-        if (done.cases.contains(number)) continue;
-        writer.write(number, cases[number - 1]());
+        if (table.cases.contains(number)) continue;
+        table.cases[number] = cases[number - 1]();
         progress.advance();
+        if (unwritten.seconds() < most_unwritten) continue;
+        write_table(experiment, table, unfinished_name(file));
+        unwritten.lap();
     }
     progress.clear();
-    writer.finish();
+    finish_table(experiment, table, file);
     tell(file.string() + ": " + std::to_string(missing) + " cases in " + real_text(watch.seconds(), 3) + " s");
 }
 
 /// The finished table of the same program, machine and settings; a table of anything else is none of ours.
 std::optional<ExperimentTable> finished(const Experiment& experiment, const TableHead& head,
                                         const std::filesystem::path& file) try {
-    auto table = read_table(experiment, file, false);
+    auto table = read_table(experiment, file);
     if (table && !difference(table->head, head, {"date"}).empty()) table.reset();
     return table;
 } catch (const InputError& error) {
@@ -92,7 +97,7 @@ void run(const Experiment& experiment, const RunOptions& options) {
         tell(file.string() + ": all cases are there already; --again computes them once more");
     } else {
         compute(experiment, cases, wanted, head, file);
-        table = read_table(experiment, file, false);
+        table = read_table(experiment, file);
     }
     present(experiment, *table, file);
 }
@@ -113,7 +118,7 @@ std::optional<ExperimentTable> joined(const Experiment& experiment, const std::v
         if (exists(unfinished_name(path))) {
             throw InputError(unfinished_name(path).string() + ": not finished; start its run again to go on with it");
         }
-        auto share = read_table(experiment, path, false);
+        auto share = read_table(experiment, path);
         if (!share) continue;
         machines.insert(share->head["machine"]);
         std::string& settings = share->head["settings"];
@@ -158,7 +163,7 @@ void merge(std::span<const Experiment> experiments, const MergeOptions& options)
             throw InputError(unfinished_name(file).string() +
                              ": an unfinished run is there; name another folder by --out");
         }
-        TableWriter(experiment, file, *table).finish();
+        finish_table(experiment, *table, file);
         tell(file.string() + ": " + std::to_string(table->cases.size()) + " cases");
         present(experiment, *table, file);
     }

@@ -65,12 +65,12 @@ ExperimentCases cases_of(const std::vector<MotionWanted>& wanted, const std::vec
         for (const BroadPhaseParameters& parameters : hierarchies) add_rows(motion, parameters, rows);
         return rows;
     };
-    return cases_over(run, wanted, lists);
+    return cases_over(run, Axis<MotionWanted>{"", wanted}, Axis<Hierarchies>{"", lists})(false);
 }
 
 /// A row about a hierarchy on some frames of a motion. The parts of the experiment share the columns.
 Row row_of(const RecordedMotion& motion, const BroadPhaseParameters& parameters, std::span<const FrameRun> frames) {
-    const double candidates = sum_over(frames, "candidates"), touching = sum_over(frames, "touching");
+    const double candidates = mean_over(frames, "candidates"), touching = mean_over(frames, "touching");
     Row row{{"scene", motion.scene},
             {"volume", parameters.volume},
             {"update", parameters.update},
@@ -78,23 +78,22 @@ Row row_of(const RecordedMotion& motion, const BroadPhaseParameters& parameters,
             {"leaf_cells", parameters.leaf_cells},
             {"interval_s", motion.interval},
             {"false_per_true", touching > 0 ? (candidates - touching) / touching : no_number}};
-    for (const char* count : {"nodes", "visited", "candidates", "touching"}) {
-        row.set(count, sum_over(frames, count) / static_cast<double>(frames.size()));
+    for (const char* count : {"nodes", "visited", "candidates", "touching", "tightness"}) {
+        row.set(count, mean_over(frames, count));
     }
     if (parameters.volume == VolumeKind::Sphere) row.set("sphere_fit", parameters.sphere_fit);
     return row;
 }
 
 /// Takes a hierarchy along a motion, and adds a row about it.
-HierarchyRun add_row(const RecordedMotion& motion, const BroadPhaseParameters& parameters, const RunPlan& plan,
-                     Rows& rows) {
-    HierarchyRun run = follow(motion, *make_broad_phase(parameters, motion.grid), plan);
-    rows.push_back(row_of(motion, parameters, run.frames));
+std::vector<FrameRun> add_row(const RecordedMotion& motion, const BroadPhaseParameters& parameters, const RunPlan& plan,
+                              Rows& rows) {
+    std::vector<FrameRun> frames = follow(motion, *make_broad_phase(parameters, motion.grid), plan);
+    rows.push_back(row_of(motion, parameters, frames));
     for (const char* time : {"build_s", "query_s", "exact_s", "whole_s"}) {
-        rows.back().set(time, quartiles_over(run.timed(), time));
+        rows.back().set(time, quartiles_over(frames, time));
     }
-    rows.back().set("tightness", over_levels(run.levels).mean());
-    return run;
+    return frames;
 }
 
 /// Six frames of a motion.
@@ -147,12 +146,12 @@ ExperimentCases levels(bool quick) {
         double visited_above = 0;
         for (int level = 0; level <= tree.back().level; ++level) {
             parameters.search.level = level;
-            const HierarchyRun run = add_row(motion, parameters, plan, rows);
+            const std::vector<FrameRun> frames = add_row(motion, parameters, plan, rows);
             Row& row = rows.back();
             const double visited = row.number("visited");
             row.set({{"level", level},
                      {"nodes", std::ranges::count(tree, level, &QuadtreeNode::level)},
-                     {"tightness", run.levels[static_cast<std::size_t>(level)].mean()},
+                     {"tightness", mean_over(frames, "tightness_" + std::to_string(level))},
                      {"visited", visited - std::exchange(visited_above, visited)}});
         }
     };
@@ -241,7 +240,7 @@ ExperimentCases break_evens(bool quick) {
         std::map<UpdateKind, std::vector<FrameRun>> runs;
         for (const BroadPhaseParameters& parameters : with_every_update(family)) {
             const RunPlan plan{.repeats = quick ? 5 : 15, .tightness_every = 5};
-            runs[parameters.update] = follow(motion, *make_broad_phase(parameters, motion.grid), plan).frames;
+            runs[parameters.update] = follow(motion, *make_broad_phase(parameters, motion.grid), plan);
         }
         const auto cost = [](const FrameRun& frame) { return quartiles_over({&frame, 1}, "whole_s").median; };
         for (const BroadPhaseParameters& parameters : with_every_update(family)) {
@@ -255,8 +254,7 @@ ExperimentCases break_evens(bool quick) {
                                  {"whole_s", cost(frame)},
                                  {"cumulative_s", sum},
                                  {"cumulative_s_over_rebuild_s", sum / sum_of_rebuild},
-                                 {"moved", moved_part(motion, k, runs[UpdateKind::Refit][k].slack)},
-                                 {"tightness", frame.tightness.mean()}});
+                                 {"moved", moved_part(motion, k, runs[UpdateKind::Refit][k].slack)}});
             }
         }
     };

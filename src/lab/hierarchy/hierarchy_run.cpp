@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "drape/base/assert.h"
 #include "drape/base/input_error.h"
@@ -31,6 +32,11 @@ Real size_of(const KDop<K>& dop) {
 
 Real size_of(const NodeView& node) {
     return std::visit([](const auto& volume) { return size_of(volume); }, node.volume);
+}
+
+double mean_of(const std::vector<double>& values) {
+    const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+    return values.empty() ? no_number : sum / static_cast<double>(values.size());
 }
 
 /// A query of a small cloth is hardly longer than reading the clock: so many are timed together.
@@ -104,8 +110,9 @@ RecordedMotion find_motion(Motions& motions, const MotionWanted& wanted) {
     return motion;
 }
 
-std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& grid, const Points& x) {
-    std::vector<Tightness> levels;
+Row tightness_of(const BroadPhase& hierarchy, const Grid& grid, const Points& x) {
+    Row tightness;
+    std::vector<double> all;
     for (int level = 0; level < hierarchy.levels(); ++level) {
         std::vector<NodeView> nodes;
         hierarchy.nodes_at(level, nodes);
@@ -113,24 +120,19 @@ std::vector<Tightness> tightness_of(const BroadPhase& hierarchy, const Grid& gri
         std::vector<NodeView> smallest = nodes;
         const auto kind = static_cast<VolumeKind>(nodes.front().volume.index());
         refit_nodes({.volume = kind, .sphere_fit = SphereFit::Welzl}, grid, x, smallest);
-        Tightness& tightness = levels.emplace_back();
+        std::vector<double> ratios;
         for (std::size_t n = 0; n < nodes.size(); ++n) {
             const Real least = size_of(smallest[n]);
-            if (!(least > 0)) continue;
-            const Real ratio = (size_of(nodes[n]) + hierarchy.slack()) / least;
-            tightness += {static_cast<double>(ratio), 1};
+            if (least > 0) ratios.push_back(static_cast<double>((size_of(nodes[n]) + hierarchy.slack()) / least));
         }
+        tightness.set("tightness_" + std::to_string(level), mean_of(ratios));
+        all.insert(all.end(), ratios.begin(), ratios.end());
     }
-    return levels;
+    tightness.set("tightness", mean_of(all));
+    return tightness;
 }
 
-Tightness over_levels(const std::vector<Tightness>& levels) {
-    Tightness all;
-    for (const Tightness& level : levels) all += level;
-    return all;
-}
-
-HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan) {
+std::vector<FrameRun> follow(const RecordedMotion& motion, BroadPhase& hierarchy, const RunPlan& plan) {
     std::vector<CellRun> all_cells;
     list_all_cells(motion.grid, all_cells);
     Candidates found;
@@ -138,7 +140,7 @@ HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const R
     const auto test = [&motion](std::size_t frame, std::span<const CellRun> cells, std::vector<int>& touched) {
         find_touched_triangles(motion.grid, motion.x[frame], motion.balls[frame], 0, cells, touched, Kernels::Vector);
     };
-    HierarchyRun run{.frames = {}, .levels = std::vector<Tightness>(static_cast<std::size_t>(hierarchy.levels()))};
+    std::vector<FrameRun> frames;
     for (std::size_t k = 0; k < motion.x.size(); ++k) {
         hierarchy.build(motion.x[k]);
         const TraversalStats stats = hierarchy.query(motion.balls[k], found);
@@ -151,15 +153,13 @@ HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const R
         for (std::size_t t = 0; t < expected.size(); ++t) {
             if (t == 0 || expected[t] / 2 != expected[t - 1] / 2) ++touching;
         }
-        FrameRun& frame = run.frames.emplace_back(FrameRun{.counts = {{"nodes", stats.nodes},
-                                                                      {"visited", stats.visited},
-                                                                      {"candidates", candidates},
-                                                                      {"touching", touching}},
-                                                           .slack = hierarchy.slack()});
+        frames.push_back({.counts = {{"nodes", stats.nodes},
+                                     {"visited", stats.visited},
+                                     {"candidates", candidates},
+                                     {"touching", touching}},
+                          .slack = hierarchy.slack()});
         if (plan.tightness_every == 0 || k % static_cast<std::size_t>(plan.tightness_every) != 0) continue;
-        const std::vector<Tightness> levels = tightness_of(hierarchy, motion.grid, motion.x[k]);
-        frame.tightness = over_levels(levels);
-        for (std::size_t level = 0; level < levels.size(); ++level) run.levels[level] += levels[level];
+        frames.back().counts.set(tightness_of(hierarchy, motion.grid, motion.x[k]));
     }
     const double clock = clock_cost();
     const auto seconds = [clock](int runs, const auto& work) {
@@ -170,11 +170,12 @@ HierarchyRun follow(const RecordedMotion& motion, BroadPhase& hierarchy, const R
             const double build = seconds(1, [&] { hierarchy.build(motion.x[k]); });
             const double query = seconds(queries_in_a_row, [&] { hierarchy.query(motion.balls[k], found); });
             const double exact = seconds(queries_in_a_row, [&] { test(k, found.cells, triangles); });
-            run.frames[k].times.push_back(
+            if (k == 0) continue;
+            frames[k].times.push_back(
                 {{"build_s", build}, {"query_s", query}, {"exact_s", exact}, {"whole_s", build + query + exact}});
         }
     }
-    return run;
+    return frames;
 }
 
 Quartiles quartiles_over(std::span<const FrameRun> frames, const std::string& time) {
@@ -185,10 +186,12 @@ Quartiles quartiles_over(std::span<const FrameRun> frames, const std::string& ti
     return quartiles_of(std::move(times));
 }
 
-double sum_over(std::span<const FrameRun> frames, const std::string& count) {
-    double sum = 0;
-    for (const FrameRun& frame : frames) sum += frame.counts.number(count);
-    return sum;
+double mean_over(std::span<const FrameRun> frames, const std::string& count) {
+    std::vector<double> counts;
+    for (const FrameRun& frame : frames) {
+        if (frame.counts.has(count)) counts.push_back(frame.counts.number(count));
+    }
+    return mean_of(counts);
 }
 
 }  // namespace drape

@@ -82,10 +82,9 @@ inline ClothState disturbed(const ClothModel& model, ClothState state) {
     return state;
 }
 
-/// Root mean square distance of the particles, of the cloth's side.
-inline double position_error(const Points& x, const Points& exact, Real side) {
-    const double squares = static_cast<double>((x - exact).squaredNorm());
-    return std::sqrt(squares / static_cast<double>(x.rows())) / static_cast<double>(side);
+/// Root mean square distance of the particles [m].
+inline double position_error(const Points& x, const Points& exact) {
+    return std::sqrt(static_cast<double>((x - exact).squaredNorm()) / static_cast<double>(x.rows()));
 }
 
 }  // namespace drape

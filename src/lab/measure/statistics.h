@@ -1,11 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <ctime>
 #include <limits>
-#include <optional>
-#include <span>
-#include <utility>
 #include <vector>
+
+#include "drape/base/assert.h"
 
 namespace drape {
 
@@ -18,10 +20,26 @@ struct Quartiles {
 inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// @param values at least one; between two of them it is interpolated linearly
-Quartiles quartiles_of(std::vector<double> values);
+inline Quartiles quartiles_of(std::vector<double> values) {
+    DRAPE_ASSERT(!values.empty());
+    std::sort(values.begin(), values.end());
+    const auto at = [&values](double part) {
+        const double rank = part * static_cast<double>(values.size() - 1);
+        const auto below = static_cast<std::size_t>(rank), above = std::min(below + 1, values.size() - 1);
+        return std::lerp(values[below], values[above], rank - std::floor(rank));
+    };
+    return {at(0.25), at(0.5), at(0.75)};
+}
+
+/// What a clock of the system says [s].
+inline double seconds_on(clockid_t clock) {
+    std::timespec now{};
+    clock_gettime(clock, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// CPU time that this thread has used [s]. What others do on the machine does not count, but for the caches they share.
-double thread_cpu_time();
+inline double thread_cpu_time() { return seconds_on(CLOCK_THREAD_CPUTIME_ID); }
 
 /// CPU time that this thread takes for something [s], in the mean if it is done several times in a row.
 template <class Work>
@@ -32,14 +50,6 @@ double cpu_time_of(const Work& work, std::int64_t runs = 1) {
 }
 
 /// CPU time that all threads of the program have used [s].
-double program_cpu_time();
-
-/// The order of a method: the exponent that fits best where the error follows a power of the step. The fit begins with
-/// the 3 finest points; if the two slopes between them differ by half an order, or by half of the larger one, there is
-/// none. Coarser points join one by one, as long as the slope to the next is within 0.15, or 15 %, of what is fitted so
-/// far.
-/// @param points (step, error), all positive, from coarse to fine
-/// @return nothing if there are fewer than 3 points, or the finest do not follow one power
-std::optional<double> observed_order(std::span<const std::pair<double, double>> points);
+inline double program_cpu_time() { return seconds_on(CLOCK_PROCESS_CPUTIME_ID); }
 
 }  // namespace drape

@@ -8,11 +8,10 @@ namespace drape {
 namespace {
 
 /// One configuration of a scene that was tried, and what its needs say about it.
-Row row_of(const std::string& scene, const Needs& needs, const Attempt& attempt) {
+Row row_of(const Needs& needs, const Attempt& attempt) {
     const Settings& settings = attempt.settings;
     const ClothParameters& cloth = settings.cloths[0];
-    Row row{{"scene", scene},
-            {"particles_x", cloth.particles.nx},
+    Row row{{"particles_x", cloth.particles.nx},
             {"particles_y", cloth.particles.ny},
             {"bend", cloth.bend != SpringLaw{} ? "yes" : "no"},
             {"drag", cloth.drag > 0 ? "yes" : "no"},
@@ -30,9 +29,9 @@ Row row_of(const std::string& scene, const Needs& needs, const Attempt& attempt)
 /// The whole search: the full model, then what is taken away from it.
 Rows run_ladder(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    Rows rows{row_of(scene, needs, needs.attempt(computed_closely(needs.full(), close_step)))};
+    Rows rows{row_of(needs, needs.attempt(computed_closely(needs.full(), close_step)))};
     (void)search(needs, [&](const Attempt& attempt, const std::string& outcome) {
-        rows.push_back(row_of(scene, needs, attempt));
+        rows.push_back(row_of(needs, attempt));
         const bool kept = outcome.starts_with("kept") || outcome.starts_with("cheapest");
         if (attempt.qualifies() && !kept) rows.back().set("outcome", "costlier");
     });
@@ -42,9 +41,9 @@ Rows run_ladder(const std::string& scene) {
 /// The scene as it is, and with one notch less of each knob that it leaves free.
 Rows run_notches(const std::string& scene) {
     const Needs needs(load_scene(scene));
-    Rows rows{row_of(scene, needs, needs.attempt(needs.scene()))};
+    Rows rows{row_of(needs, needs.attempt(needs.scene()))};
     try_notches(needs, [&](Knob knob, const Attempt& less) {
-        rows.push_back(row_of(scene, needs, less));
+        rows.push_back(row_of(needs, less));
         rows.back().set("changed", knob);
     });
     return rows;
@@ -59,7 +58,7 @@ Rows run_budget(const std::string& scene) {
     const Motion motion = run_to_horizon(as_it_is);
     Rows rows;
     const auto add = [&](const std::string& changed, const Settings& settings, const Motion& moved) {
-        Row& row = rows.emplace_back(row_of(scene, needs, {.settings = settings, .cost = moved.cost}));
+        Row& row = rows.emplace_back(row_of(needs, {.settings = settings, .cost = moved.cost}));
         row.set({{"changed", changed}, {"miss", no_number}, {"outcome", "diverged"}});
         if (moved.diverged) return;
         row.set({{"outcome", "compared"}, {"error", needs.error_of(moved)}, {"moved", needs.error_of(moved, motion)}});
@@ -89,15 +88,10 @@ std::vector<std::string> scenes_with_needs() {
     return names;
 }
 
-template <class Run>
-auto cases_of(const Run& run, const std::vector<std::string>& scenes) {
-    return [=](bool quick) { return cases_over(run, quick ? std::vector<std::string>{"hang"} : scenes); };
-}
-
 }  // namespace
 
 Experiment minimal_experiment() {
-    const std::vector<std::string> searched{"hang", "original", "curtain", "drop"};
+    const Axis<std::string> searched{"scene", {"hang"}, {"hang", "original", "curtain", "drop"}};
     return {"minimal",
             "how much model does a scene need, and what does each part of it buy?",
             5,
@@ -108,9 +102,9 @@ Experiment minimal_experiment() {
              "cost_s_per_s",  // CPU time of a simulated second
              "moved",         // in `budget`: from the motion of the scene, of the cloth's side
              "outcome"},
-            {{"ladder", cases_of(run_ladder, searched), {{"minimal"}}, "scene"},
-             {"notches", cases_of(run_notches, scenes_with_needs()), {}},
-             {"budget", cases_of(run_budget, searched), {{"minimal_budget"}}}}};
+            {{"ladder", cases_over(run_ladder, searched), {{"minimal"}}, "scene"},
+             {"notches", cases_over(run_notches, Axis<std::string>{"scene", {"hang"}, scenes_with_needs()}), {}},
+             {"budget", cases_over(run_budget, searched), {{"minimal_budget"}}}}};
 }
 
 }  // namespace drape

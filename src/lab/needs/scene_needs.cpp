@@ -34,7 +34,7 @@ double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 /// By how much two cloths of one grid differ at a moment [m].
 double distance(const Points& x, const Points& full, NeedsMeasure measure) {
-    if (measure == NeedsMeasure::Positions) return position_error(x, full, 1);
+    if (measure == NeedsMeasure::Positions) return position_error(x, full);
     const Points off = x - full;
     return larger(static_cast<double>(off.colwise().mean().norm()), std::abs(spread(x) - spread(full)));
 }

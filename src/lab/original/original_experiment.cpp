@@ -51,11 +51,12 @@ std::vector<std::string> original_assignments(const OriginalWay& way) {
 /// @param prefix of the columns
 Row time_search(const std::string& prefix, const RecordedMotion& motion, const BroadPhaseParameters& parameters,
                 int passes) {
-    const HierarchyRun run = follow(motion, *make_broad_phase(parameters, motion.grid), {.repeats = passes});
-    return {{prefix + "build_s", quartiles_over(run.timed(), "build_s").median},
-            {prefix + "search_s", quartiles_over(run.timed(), "query_s").median},
-            {prefix + "exact_s", quartiles_over(run.timed(), "exact_s").median},
-            {prefix + "candidates", sum_over(run.frames, "candidates") / static_cast<double>(run.frames.size())}};
+    const std::vector<FrameRun> frames =
+        follow(motion, *make_broad_phase(parameters, motion.grid), {.repeats = passes});
+    return {{prefix + "build_s", quartiles_over(frames, "build_s").median},
+            {prefix + "search_s", quartiles_over(frames, "query_s").median},
+            {prefix + "exact_s", quartiles_over(frames, "exact_s").median},
+            {prefix + "candidates", mean_over(frames, "candidates")}};
 }
 
 /// Measures what simulating takes, without drawing.

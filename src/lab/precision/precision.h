@@ -22,7 +22,7 @@ Rung solved_closely(Real tolerance);
 /// A motion that methods are compared on: a cloth that starts at rest, with or without a ball in its way.
 struct PrecisionScene {
     std::string name;
-    Settings settings;  ///< one cloth; without method and step
+    Settings settings;  ///< one cloth, of 1 m; without method and step
     Real horizon;       ///< at which states are compared [s]
     int rungs;          ///< steps of a method with a step limit, each half of the one before
     int finest_steps;   ///< the most that a method without a step limit takes to the horizon
@@ -31,7 +31,6 @@ struct PrecisionScene {
     /// truth. Without a ball: of Dormand-Prince. With one, where the step decides when an impact is noticed: of
     /// velocity Verlet, so short that its own error is far below that of the impacts.
     std::array<Rung, 3> reference;
-    Real side() const { return settings.cloths.front().width; }  ///< of the cloth [m]
     bool has_ball() const { return !settings.balls.empty(); }
 };
 

@@ -1,8 +1,5 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,34 +48,6 @@ PrecisionScene dropped(bool quick) {
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
 }
 
-/// Of the steps of a method that are shorter than any that was unstable.
-/// @param method its rows
-std::optional<double> order_of(Rows method) {
-    std::ranges::stable_sort(method, std::greater(), [](const Row& row) { return row.number("step_s"); });
-    std::vector<std::pair<double, double>> errors;
-    for (const Row& row : method) {
-        if (row.word("end") != "bounded") {
-            errors.clear();
-        } else {
-            errors.emplace_back(row.number("step_s"), row.number("error"));
-        }
-    }
-    return observed_order(errors);
-}
-
-/// What the caption says of the reference of a scene, and of averages.
-std::string caption_of(const Row& scene) {
-    const double phases = scene.number("phases");
-    const std::string averaged =
-        phases == 1 ? ""
-                    : fmt::format(
-                          "Errors are averaged over {} phases of the first impact within a step; from that impact on, "
-                          "every method is of order 1. ",
-                          phases);
-    return fmt::format("{}The reference is in error by {:.2g}; an error of {:.1g} m at the start grows {:.2g} times.",
-                       averaged, scene.number("reference_error"), small_error, scene.number("growth"));
-}
-
 /// In the order of the table.
 std::vector<Method> precision_methods() {
     return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
@@ -122,15 +91,13 @@ std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScen
 }
 
 /// The error of a rung is a mean over phases of the first impact.
-Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
+Row row_of(const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
     const ClothParameters& cloth = scene.settings.cloths.front();
-    const bool adaptive = method.parameters.kind == IntegratorKind::DormandPrince;
-    Row row{{"scene", scene.name},
-            {"particles", cloth.particles.nx},
+    const bool adaptive = rung.parameters.kind == IntegratorKind::DormandPrince;
+    Row row{{"particles", cloth.particles.nx},
             {"stiffness_N_per_m", cloth.structural.stiffness},
             {"horizon_s", scene.horizon},
             {"phases", scene.phases},
-            {"method", method.name},
             {"tolerance", adaptive ? static_cast<double>(tolerance_of(rung.parameters)) : no_number},
             {"end", "unstable"},
             {"measure", "position"},
@@ -144,7 +111,7 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
         const int steps = adaptive && !scene.has_ball() ? end.inner_steps : rung.steps;
         row.set({{"steps", steps}, {"step_s", scene.horizon / static_cast<Real>(steps)}});
         if (!end.bounded) return row;
-        const double error = position_error(end.state.x, reference.state.x, scene.side());
+        const double error = position_error(end.state.x, reference.state.x);
         squares += error * error;
     }
     // What was run for the errors has warmed up
@@ -154,37 +121,18 @@ Row row_of(const Method& method, const Rung& rung, const PrecisionScene& scene, 
     return row;
 }
 
-/// Adds to a work-precision diagram the orders of its methods, and what its reference is worth.
-/// @param rows of its scene
-void complete_diagram(Chart& diagram, const Rows& rows) {
-    Rows own = rows;
-    // They could not be drawn
-    const auto positive = [](double x) { return x > 0 && std::isfinite(x); };
-    std::erase_if(own, [&](const Row& row) {
-        const bool has_point = positive(row.number("error")) && positive(row.number("cost_s_per_s"));
-        return !positive(row.number("step_s")) || (row.word("end") == "bounded" && !has_point);
-    });
-    const Rows points = rows_with(own, "end", "bounded");
-    if (points.empty()) return;
-    diagram.caption = caption_of(points.front());
-    for (const std::string& method : words_of(own, "method")) {
-        const auto order = order_of(rows_with(own, "method", method));
-        if (order) diagram.values["order_" + method] = real_text(*order);
-    }
-}
-
 ExperimentCases precision_cases(bool quick) {
     const auto references = std::make_shared<std::map<std::string, Reference>>();  // found when a case asks for them
-    return cases_over(
-        [=](const PrecisionScene& scene, const Method& method) {
-            if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
-            Rows rows;
-            for (const Rung& rung : ladder(method.parameters, scene)) {
-                rows.push_back(row_of(method, rung, scene, references->at(scene.name)));
-            }
-            return rows;
-        },
-        precision_scenes(quick), precision_methods());
+    const auto run = [=](const PrecisionScene& scene, const Method& method) {
+        if (!references->contains(scene.name)) references->emplace(scene.name, find_reference(scene));
+        Rows rows;
+        for (const Rung& rung : ladder(method.parameters, scene)) {
+            rows.push_back(row_of(rung, scene, references->at(scene.name)));
+        }
+        return rows;
+    };
+    return cases_over(run, Axis<PrecisionScene>{"scene", precision_scenes(quick)},
+                      Axis<Method>{"method", precision_methods()})(quick);
 }
 
 }  // namespace
@@ -244,8 +192,7 @@ Reference find_reference(const PrecisionScene& scene) {
     const double small = static_cast<double>((nudged.x - start.x).norm());
     const Points apart = finish(scene, coarse, 0, nudged).state.x - finish(scene, coarse).state.x;
     const ClothState end = finish(scene, last).state;
-    return {end, static_cast<double>(apart.norm()) / small,
-            position_error(finish(scene, before).state.x, end.x, scene.side())};
+    return {end, static_cast<double>(apart.norm()) / small, position_error(finish(scene, before).state.x, end.x)};
 }
 
 Experiment precision_experiment() {
@@ -257,10 +204,7 @@ Experiment precision_experiment() {
              "steps", "step_s", "end", "measure", "error", "cost_lower_s_per_s",
              "cost_s_per_s",                                      // CPU time of a simulated second
              "cost_upper_s_per_s", "reference_error", "growth"},  // of a small error
-            {{"",
-              precision_cases,
-              {{.name = "precision", .complete = complete_diagram}, {.name = "precision_choice"}},
-              "scene"}}};
+            {{"", precision_cases, {{"precision"}, {"precision_choice"}}, "scene"}}};
 }
 
 }  // namespace drape

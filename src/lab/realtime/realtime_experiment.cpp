@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <memory>
 
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/model/stencils.h"
 #include "drape/scene/scene.h"
 #include "lab/experiments.h"
@@ -19,38 +18,23 @@ struct FrameMotion {
     std::string name, scene;
 };
 
-std::vector<FrameMotion> frame_motions() {
-    return {{"free", "two_corners"},  // falls, hung by two corners
-            {"ball", "drop"},         // falls flat on a ball
-            {"fold", "fold"}};        // falls upright on the ground and folds on itself
-}
-
-/// A method, and in how many steps it makes a frame; its name has both.
-struct FrameMethod : Method {
-    int steps = 1;
-};
-
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
 
-/// A method with a step limit makes one step, which is divided as its limit asks for.
-std::vector<FrameMethod> frame_methods() {
-    std::vector<FrameMethod> all;
-    const auto add = [&](const char* name, int steps) {
-        all.push_back({{fmt::format("{}_by_{}", name, steps), methods_named({name})[0].parameters}, steps});
-    };
-    for (const char* name : {"symplectic_euler", "velocity_verlet", "rk4"}) add(name, 1);
-    for (const char* name : {"backward_euler_clamped", "bdf2_clamped"}) {
-        for (const int steps : {1, 2, 4}) add(name, steps);
-    }
-    for (const int steps : {5, 10, 20, 40}) add("xpbd_1", steps);
-    for (const char* name : {"xpbd_20", "projective_dynamics_10"}) add(name, 1);
-    return all;
+/// A method, and in how many steps it makes a frame. One with a step limit makes one step, which is divided as its
+/// limit asks for.
+Axis<std::string> frame_methods() {
+    return {"method",
+            {"symplectic_euler_by_1", "velocity_verlet_by_1", "rk4_by_1", "backward_euler_clamped_by_1",
+             "backward_euler_clamped_by_2", "backward_euler_clamped_by_4", "bdf2_clamped_by_1", "bdf2_clamped_by_2",
+             "bdf2_clamped_by_4", "xpbd_1_by_5", "xpbd_1_by_10", "xpbd_1_by_20", "xpbd_1_by_40", "xpbd_20_by_1",
+             "projective_dynamics_10_by_1"}};
 }
 
-Settings settings_of(const FrameMotion& motion, const FrameMethod& method, int side, int threads) {
+Settings settings_of(const FrameMotion& motion, const std::string& method, int side, int threads) {
     const bool folds = motion.name == "fold";
-    Settings settings = with_method(load_scene(motion.scene), method.parameters);
+    const std::size_t by = method.rfind("_by_");
+    Settings settings = with_method(load_scene(motion.scene), methods_named({method.substr(0, by)})[0].parameters);
     ClothParameters& cloth = settings.cloths[0];
     cloth.particles = {side, side};
     cloth.width = cloth.height = 1;
@@ -64,7 +48,7 @@ Settings settings_of(const FrameMotion& motion, const FrameMethod& method, int s
     if (folds) cloth.place += Vec3(Real(-0.1), Real(0.2), 0);  // the scene's sheet is smaller
     settings.contact.self = folds;
     settings.solver.threads = threads;
-    settings.solver.dt = frame / method.steps;
+    settings.solver.dt = frame / parse_real(method.substr(by + 4)).value();
     settings.solver.on_unstable = OnUnstable::Substep;
     settings.solver.sleep_speed = 0;
     settings.needs.horizon = Real(0.5);
@@ -91,19 +75,17 @@ double stretch_of(ClothParameters cloth, const Motion& motion) {
 
 /// The finest grid that can be waited for, by a method of second order at nine tenths of its limit.
 Motion converged(const FrameMotion& motion, bool quick) {
-    const FrameMethod method{{"converged", {.kind = IntegratorKind::VelocityVerlet}}, 1};
-    Motion run = run_to_horizon(settings_of(motion, method, quick ? 45 : 181, 1));
+    Motion run = run_to_horizon(settings_of(motion, "velocity_verlet_by_1", quick ? 45 : 181, 1));
     if (run.diverged) throw RunError("realtime: the reference of '" + motion.name + "' has diverged");
     return run;
 }
 
 /// A cloth of one size by one method.
-Row run_one(const FrameMotion& motion, const FrameMethod& method, int side, int threads, const Motion& truth) {
+Row run_one(const FrameMotion& motion, const std::string& method, int side, int threads, const Motion& truth) {
     constexpr double patience = 4;  // s/s
     const Settings settings = settings_of(motion, method, side, threads);
     const Motion run = run_to_horizon(settings, patience * threads);
-    Row row{{"motion", motion.name}, {"method", method.name}, {"threads", threads}, {"side", side}};
-    row.set("end", run.diverged ? "diverged" : "late");
+    Row row{{"side", side}, {"end", run.diverged ? "diverged" : "late"}};
     if (run.diverged || run.given_up) return row;
     const ClothParameters& cloth = settings.cloths[0];
     const double excess = std::max(stretch_of(cloth, run) - stretch_of(cloth, truth), 0.0);
@@ -117,19 +99,21 @@ Row run_one(const FrameMotion& motion, const FrameMethod& method, int side, int 
 
 ExperimentCases realtime_cases(bool quick) {
     const auto truths = std::make_shared<std::map<std::string, Motion>>();  // found when the first case asks for them
-    return cases_over(
-        [=](const FrameMotion& motion, int threads, const FrameMethod& method) {
-            if (!truths->contains(motion.name)) truths->emplace(motion.name, converged(motion, quick));
-            // From small to large, until it is no longer real time
-            Rows rows;
-            for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
-                if (quick && side > 32) break;
-                rows.push_back(run_one(motion, method, side, threads, truths->at(motion.name)));
-                if (rows.back().word("end") == "late") break;
-            }
-            return rows;
-        },
-        frame_motions(), std::vector{1, 2}, frame_methods());
+    const auto run = [=](const FrameMotion& motion, int threads, const std::string& method) {
+        if (!truths->contains(motion.name)) truths->emplace(motion.name, converged(motion, quick));
+        // From small to large, until it is no longer real time
+        Rows rows;
+        for (const int side : {16, 23, 32, 45, 64, 91, 128, 181, 256}) {
+            if (quick && side > 32) break;
+            rows.push_back(run_one(motion, method, side, threads, truths->at(motion.name)));
+            if (rows.back().word("end") == "late") break;
+        }
+        return rows;
+    };
+    const std::vector<FrameMotion> motions{{"free", "two_corners"},  // falls, hung by two corners
+                                           {"ball", "drop"},         // falls flat on a ball
+                                           {"fold", "fold"}};        // falls upright on the ground and folds on itself
+    return cases_over(run, Axis<FrameMotion>{"motion", motions}, Axis<int>{"threads", {1, 2}}, frame_methods())(quick);
 }
 
 }  // namespace

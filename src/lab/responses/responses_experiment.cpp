@@ -31,29 +31,14 @@ Settings sheet_above_ground(ResponseKind response, IntegratorKind integrator, Re
     return settings;
 }
 
-Rows run_at_step(ResponseKind kind, double rate) {
-    Row row{{"response", kind}, {"step_s", 1 / rate}};
-    row.set(drop_sheet(kind, static_cast<Real>(1 / rate)));
-    row.set(lay_on_slope(kind, static_cast<Real>(1 / rate)));
+Rows run_at_step(ResponseKind kind, double step) {
+    Row row = drop_sheet(kind, static_cast<Real>(step));
+    row.set(lay_on_slope(kind, static_cast<Real>(step)));
     return {row};
 }
 
-Rows run_limit(double stiffness, double restitution) {
-    Row row{{"response", ResponseKind::Penalty}};
-    row.set({{"stiffness_N_per_m", stiffness}, {"restitution", restitution}});
-    row.set(find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution)));
-    return {row};
-}
-
-ExperimentCases step_cases(bool quick) {
-    return cases_over(run_at_step, values_of<ResponseKind>(),
-                      quick ? std::vector{60.0, 240.0, 960.0, 3840.0}
-                            : std::vector{60.0, 120.0, 240.0, 480.0, 960.0, 1920.0, 3840.0, 7680.0, 15360.0});
-}
-
-ExperimentCases limit_cases(bool quick) {
-    return cases_over(run_limit, quick ? std::vector{1e2, 1e3} : std::vector{1e1, 1e2, 1e3, 1e4, 1e5},
-                      std::vector{0.0, 0.5, 1.0});
+Rows run_limit(ResponseKind, double stiffness, double restitution) {
+    return {find_penalty_limit(static_cast<Real>(stiffness), static_cast<Real>(restitution))};
 }
 
 }  // namespace
@@ -139,7 +124,15 @@ Experiment responses_experiment() {
              quartile_columns("respond_s"),
              "stiffness_N_per_m",  // of a penalty
              "restitution", "predicted_step_s", "measured_step_s"},
-            {{"step", step_cases, {{"responses"}}}, {"limit", limit_cases, {{"responses_limit"}}}}};
+            {{"step",
+              cases_over(run_at_step, Axis<ResponseKind>{"response", values_of<ResponseKind>()},
+                         steps_a_second({60, 240, 960, 3840}, {60, 120, 240, 480, 960, 1920, 3840, 7680, 15360})),
+              {{"responses"}}},
+             {"limit",
+              cases_over(run_limit, Axis<ResponseKind>{"response", {ResponseKind::Penalty}},
+                         Axis<double>{"stiffness_N_per_m", {1e2, 1e3}, {1e1, 1e2, 1e3, 1e4, 1e5}},
+                         Axis<double>{"restitution", {0, 0.5, 1}}),
+              {{"responses_limit"}}}}};
 }
 
 }  // namespace drape

@@ -50,7 +50,7 @@ double root_mean(const std::deque<double>& squares) {
 /// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
 /// least. Speeds are those of the last half second.
 Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
-    Row row{{"scene", scene}, {"response", response}, {"integrator", integrator}};
+    Row row;
     Settings settings = rest_settings(scene, integrator, response, quick);
     double& step = settings.solver.dt;
     if (!has_step_limit(integrator)) step = long_step;
@@ -102,13 +102,6 @@ Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool
     return {row};
 }
 
-ExperimentCases rest_cases(bool quick) {
-    return cases_over([=](ResponseKind response, const char* scene,
-                          IntegratorKind integrator) { return run_rest_case(response, scene, integrator, quick); },
-                      quick ? std::vector{ResponseKind::Projection} : values_of<ResponseKind>(),
-                      std::vector{"drop", "trampoline"}, values_of<IntegratorKind>());
-}
-
 /// Every method by the longest of its steps, then by shorter ones, down to a tenth of a millisecond; then for ten
 /// minutes by each of these, which takes hours, and a day for the shortest.
 ExperimentCases drift_cases(bool quick) {
@@ -141,7 +134,13 @@ Experiment rest_experiment() {
             3,
             {"part", "scene", "response", "integrator", "step_s", "end", "asleep_s", "speed_before_m_per_s",
              "speed_after_m_per_s", "watched_s", "drift_m"},
-            {{"rest", rest_cases, {}}, {"drift", drift_cases, {}}}};
+            {{"rest",
+              cases_over(run_rest_case,
+                         Axis<ResponseKind>{"response", {ResponseKind::Projection}, values_of<ResponseKind>()},
+                         Axis<const char*>{"scene", {"drop", "trampoline"}},
+                         Axis<IntegratorKind>{"integrator", values_of<IntegratorKind>()}, quick_or_whole(true, false)),
+              {}},
+             {"drift", drift_cases, {}}}};
 }
 
 }  // namespace drape

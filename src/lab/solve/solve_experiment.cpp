@@ -9,10 +9,6 @@ namespace {
 constexpr Real picture = Real(1) / 60;  // s
 constexpr int shorter = 16, measured_steps = 10;
 
-std::vector<Method> solved_methods() {
-    return methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"});
-}
-
 /// Where steps have moved a sheet to, and what they were like.
 struct SolveRun {
     Points x;
@@ -39,9 +35,7 @@ SolveRun run_sheet(const Method& method, int side, Real time, int parts = 1) {
         costs.push_back(cost);
     }
     return {state.x,
-            {{"method", method.name},
-             {"side", side},
-             {"time_s", time},
+            {{"time_s", time},
              {"step_s", static_cast<double>(picture) / parts},
              {"tolerance", tolerance_of(method.parameters)},
              {"newton_steps", method.parameters.newton_steps},
@@ -62,7 +56,7 @@ Rows run_tolerances(const Method& method, int side) {
         const SolveRun run = solved_to(static_cast<Real>(tolerance), 1);
         rows.push_back(run.row);
         rows.back().set(
-            {{"solver_error_m", position_error(run.x, solved, 1)}, {"step_error_m", position_error(solved, truth, 1)}});
+            {{"solver_error_m", position_error(run.x, solved)}, {"step_error_m", position_error(solved, truth)}});
     }
     return rows;
 }
@@ -77,30 +71,20 @@ Rows run_newton(Method method, int side) {
         for (const int parts : {1, 2, 4, 8}) {
             const SolveRun run = run_sheet(method, side, Real(0.5), parts);
             rows.push_back(run.row);
-            rows.back().set("step_error_m", position_error(run.x, truth, 1));
+            rows.back().set("step_error_m", position_error(run.x, truth));
         }
     }
     return rows;
 }
 
-ExperimentCases tolerance_cases(bool quick) {
-    return cases_over(run_tolerances, solved_methods(), quick ? std::vector{24} : std::vector{32, 64, 128});
-}
-
-ExperimentCases newton_cases(bool quick) {
-    return cases_over(run_newton, solved_methods(), std::vector{quick ? 16 : 64});
-}
-
 /// Falling, and once it swings in folds.
-ExperimentCases size_cases(bool quick) {
-    const auto run = [](Real time, int side) { return Rows{run_sheet(solved_methods()[0], side, time).row}; };
-    return cases_over(run, std::vector{Real(0.2), Real(1)},
-                      quick ? std::vector{24, 32} : std::vector{32, 45, 64, 91, 128, 181, 256});
-}
+Rows run_size(const Method& method, Real time, int side) { return {run_sheet(method, side, time).row}; }
 
 }  // namespace
 
 Experiment solve_experiment() {
+    const Axis<Method> methods{"method",
+                               methods_named({"backward_euler_clamped", "implicit_midpoint_clamped", "bdf2_clamped"})};
     return {"solve",
             "what does an implicit step cost on a large cloth, and how far must it be solved?",
             5,
@@ -111,9 +95,14 @@ Experiment solve_experiment() {
              "step_error_m",               // of such, against steps a sixteenth as long or less
              "iterations",                 // of a step, in the mean over the last ten
              quartile_columns("cost_s")},  // CPU time of a step, over the same
-            {{"tolerance", tolerance_cases, {{"solve_tolerance"}}},
-             {"newton", newton_cases, {{"solve_newton"}}},
-             {"size", size_cases, {{"solve_size"}}}}};
+            {{"tolerance",
+              cases_over(run_tolerances, methods, Axis<int>{"side", {24}, {32, 64, 128}}),
+              {{"solve_tolerance"}}},
+             {"newton", cases_over(run_newton, methods, Axis<int>{"side", {16}, {64}}), {{"solve_newton"}}},
+             {"size",
+              cases_over(run_size, Axis<Method>{"method", {methods.whole[0]}}, Axis<Real>{"time_s", {Real(0.2), 1}},
+                         Axis<int>{"side", {24, 32}, {32, 45, 64, 91, 128, 181, 256}}),
+              {{"solve_size"}}}}};
 }
 
 }  // namespace drape

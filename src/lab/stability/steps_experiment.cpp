@@ -15,12 +15,6 @@ constexpr double visible = 0.01;
 /// Of springs at twice their length nothing is left to see.
 constexpr double ruinous = 1;
 
-std::vector<Method> methods() {
-    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
-                          "backward_euler", "implicit_midpoint", "bdf2", "xpbd_1", "xpbd_20",
-                          "projective_dynamics_10"});
-}
-
 /// A sheet of 1 m that falls, hung by two corners, and swings.
 Settings sheet(bool quick) {
     Settings settings = load_scene("hang");
@@ -37,14 +31,13 @@ Settings sheet(bool quick) {
 }
 
 /// How a sheet fares with one method at one step.
-Row run_step(const Method& method, double step, const Settings& scene, const Motion& truth) {
+Rows run_step(const Method& method, double step, const Settings& scene, const Motion& truth) {
     Settings settings = with_method(scene, method.parameters);
     settings.solver.dt = step;
     const Motion run = run_to_horizon(settings);
-    Row row{{"method", method.name}, {"step_s", step}};
+    Row row{{"end", "blew_up"}};
     if (run.step_over_limit > 0) row.set("step_over_limit", run.step_over_limit);
-    row.set("end", "blew_up");
-    if (run.diverged) return row;
+    if (run.diverged) return {row};
     const double error = motion_error(run, truth, settings.needs.measure, 1);
     const double excess = std::max(run.stretch - truth.stretch, 0.0);
     row.set({{"error", error},
@@ -54,20 +47,22 @@ Row run_step(const Method& method, double step, const Settings& scene, const Mot
                      : excess > visible ? "soft"
                      : error > visible  ? "off"
                                         : "held"}});
-    return row;
+    return {row};
 }
 
 ExperimentCases steps_cases(bool quick) {
-    std::vector<double> per_second{15, 30, 60, 120, 240, 480, 960, 1920, 3840, 7680};
-    if (quick) per_second.resize(7);
     const Settings scene = sheet(quick);
     const auto truth = std::make_shared<std::optional<Motion>>();  // found when the first case asks for it
+    const auto run = [=](const Method& method, double step) {
+        if (!*truth) *truth = run_to_horizon(computed_closely(scene, 1e-3));
+        return run_step(method, step, scene, **truth);
+    };
+    const auto methods =
+        methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
+                       "backward_euler", "implicit_midpoint", "bdf2", "xpbd_1", "xpbd_20", "projective_dynamics_10"});
     return cases_over(
-        [=](const Method& method, double steps) {
-            if (!*truth) *truth = run_to_horizon(computed_closely(scene, 1e-3));
-            return Rows{run_step(method, 1 / steps, scene, **truth)};
-        },
-        methods(), per_second);
+        run, Axis<Method>{"method", methods},
+        steps_a_second({15, 30, 60, 120, 240, 480, 960}, {15, 30, 60, 120, 240, 480, 960, 1920, 3840, 7680}))(quick);
 }
 
 }  // namespace
