@@ -259,7 +259,7 @@ void ContactStage::solve(StepReport& report) {
 
 bool ContactStage::would_cross() {
     DRAPE_ASSERT(stage_ == Stage::Solved);
-    return self_.would_cross(now_.cloths);
+    return self_.would_cross(now_.cloths, !rows_.empty());
 }
 
 void ContactStage::prevent_crossing(StepReport& report) {

@@ -224,12 +224,22 @@ Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_parti
 
 Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, reaches_); }
 
+/// Whether there is a list, nothing has strayed farther than it has margins for, and no patch of cloth that was left
+/// out has changed its shape too much.
+bool SelfSearch::list_holds(std::span<const ClothInContact> cloths, const Numbers& strayed) const {
+    if (!listed_ || !(strayed <= allowance_).all()) return false;
+    for (std::size_t c = 0; c < cloths.size(); ++c) {
+        if (!surfaces_[c].folds.holds(surfaces_[c].kept, cloths[c].state.x)) return false;
+    }
+    return true;
+}
+
 const SelfSearchReport& SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     report_ = {};
     thickness_ = thickness;
     find_mean_motion(cloths);
     find_reaches(cloths, response_allowance, reaches_, displacement_since_list_);
-    if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance);
+    if (!list_holds(cloths, displacement_since_list_)) renew_list(cloths, response_allowance);
     if (!report_.gave_up) look_at_pairs(cloths);
     return report_;
 }
@@ -250,17 +260,18 @@ void SelfSearch::find_contacts(const ResponseParameters& parameters, std::span<c
 bool SelfSearch::extend(std::span<const ClothInContact> cloths) {
     // Half of the thickness is what features that were not found keep between them
     find_reaches(cloths, 1, more_reaches_, more_strayed_);
-    if ((more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
+    const bool holds = list_holds(cloths, more_strayed_);
+    if (holds && (more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
     reaches_ = reaches_.max(more_reaches_);
     displacement_since_list_ = displacement_since_list_.max(more_strayed_);
-    if (!listed_ || !(more_strayed_ <= allowance_).all()) renew_list(cloths, 1);
+    if (!holds) renew_list(cloths, 1);
     if (!report_.gave_up) look_at_pairs(cloths);
     return !report_.gave_up;
 }
 
-bool SelfSearch::would_cross(std::span<const ClothInContact> cloths) {
+bool SelfSearch::would_cross(std::span<const ClothInContact> cloths, bool responded) {
     if (!on_) return false;
-    extend(cloths);
+    if (responded) extend(cloths);
     const Real rounding = 64 * std::numeric_limits<Real>::epsilon();
     return !near_.empty() && zones_.find(near_, cloths, first_, std::max(of_thickness_kept * thickness_, rounding));
 }
@@ -305,7 +316,7 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths) {
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        surface.folds.build(surface.kept, allowances(static_cast<int>(c)));
+        surface.folds.build(surface.kept, cloths[c].state.x, ahead_ * response_allowance, thickness_);
         surface.boxed = false;
     }
     kept_mean_ = mean_;

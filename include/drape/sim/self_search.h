@@ -68,7 +68,8 @@ public:
     bool extend(std::span<const ClothInContact> cloths);
 
     /// After the response: whether features would meet within the substep, for all that it has done.
-    bool would_cross(std::span<const ClothInContact> cloths);
+    /// @param responded it may have moved something
+    bool would_cross(std::span<const ClothInContact> cloths, bool responded);
 
     /// If so, holds them back.
     /// @return how many particles
@@ -108,6 +109,7 @@ private:
     template <class Count>
     std::int64_t count_between(std::span<const ClothInContact> cloths, Real reach, Count count);
     void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
+    [[nodiscard]] bool list_holds(std::span<const ClothInContact> cloths, const Numbers& strayed) const;
     void find_mean_motion(std::span<const ClothInContact> cloths);
     [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);

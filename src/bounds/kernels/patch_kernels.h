@@ -53,6 +53,12 @@ using ParticleIndex = std::ptrdiff_t;
 /// The particle that is farthest from a point.
 ParticleIndex farthest_particle(const Patch& patch, const Vec3& from);
 
+/// Whether none of the edges from `count` particles to those `to_next` later has changed by more than its limit.
+/// @param from, x by coordinate, at the first of the particles
+/// @param limits squared [m^2]
+bool edges_within(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next, int count,
+                  const Real* limits);
+
 struct Extremes {
     ParticleIndex low, high;
 };
