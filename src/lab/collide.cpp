@@ -82,18 +82,12 @@ void collide(const CollideOptions& options) {
 }  // namespace
 
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
+    NumberedLines lines{.in = in, .file = file, .longest = longest_position_line, .may_be_cut_off = true};
     Points x(grid.particles(), 3);
-    std::string line;
     int row = 0;
-    for (LineEnd end; (end = read_line(in, line, longest_position_line)) != LineEnd::None; ++row) {
-        const std::string where = fmt::format("{}:{}: ", file, row + 1);
-        if (end == LineEnd::TooLong) {
-            throw InputError(fmt::format("{}too long: allowed {} bytes in a line", where, longest_position_line));
-        }
-        if (row == grid.particles()) {
-            throw InputError(fmt::format("{}more rows than the grid's {} particles", where, row));
-        }
-        const auto values = parse_numbers(line, 3, where);
+    for (; lines.next(); ++row) {
+        if (row == grid.particles()) lines.fail(fmt::format("more rows than the grid's {} particles", row));
+        const auto values = parse_numbers(lines.line, 3, lines.place() + ": ");
         for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
     }
     if (row < grid.particles()) {
