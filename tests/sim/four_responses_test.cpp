@@ -162,6 +162,23 @@ TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
     }
 }
 
+TEST(Penalty, HoldsASheetAtLongerStepsWhereDampersSeeWhatHasMoved) {
+    const auto highest = [](IntegratorKind integrator) {
+        Settings settings = sheet_at(0);
+        settings.contact.response = ResponseKind::Penalty;
+        settings.contact.stiffness = 1000;
+        settings.ground.restitution = 0;
+        settings.solver.integrator = integrator;
+        settings.solver.dt = 2.9e-3;
+        Simulation sheet("sheet", std::move(settings));
+        Real height = 0;
+        run(sheet, 3, [&] { height = std::max(height, centre_of(sheet).y()); });
+        return height;
+    };
+    EXPECT_LT(highest(IntegratorKind::VelocityVerlet), 1e-3);
+    EXPECT_GT(highest(IntegratorKind::SymplecticEuler), 1);
+}
+
 class FrictionOfEachMethod : public testing::TestWithParam<IntegratorKind> {};
 
 INSTANTIATE_TEST_SUITE_P(One, FrictionOfEachMethod, testing::Values(IntegratorKind::BackwardEuler));
