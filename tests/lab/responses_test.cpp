@@ -14,9 +14,6 @@ using test::LabRun;
 using test::table_of;
 using testing::HasSubstr;
 
-constexpr ResponseKind every_response[] = {ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
-                                           ResponseKind::Hybrid};
-
 /// What the experiment finds of a response at a step of 1/60 s, a quarter, a 16th or a 64th of that.
 Row at_step(ResponseKind kind, std::size_t quarterings) {
     return responses_experiment().cases(true)[4 * static_cast<std::size_t>(kind) + quarterings]().front();
@@ -50,7 +47,7 @@ TEST(LabBounce, ComesLateFromAPenaltyByHalfASwing) {
 }
 
 TEST(LabSlope, HoldsTheSheetAtEveryStepButBeyondTheLimitOfAPenalty) {
-    for (const ResponseKind kind : every_response) {
+    for (const ResponseKind kind : values_of<ResponseKind>()) {
         EXPECT_LT(at_step(kind, 2).number("drift_m_per_s"), 1e-6) << name_of(kind);
         const double drift = at_step(kind, 0).number("drift_m_per_s");
         const bool is_hard = kind == ResponseKind::Projection || kind == ResponseKind::Impulse;

@@ -48,14 +48,6 @@ PrecisionScene dropped(bool quick) {
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
 }
 
-/// In the order of the table.
-std::vector<Method> precision_methods() {
-    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
-                          "backward_euler", "implicit_midpoint_clamped", "implicit_midpoint_exact", "bdf2_clamped",
-                          "bdf2_exact", "xpbd_1", "xpbd_5", "xpbd_20", "projective_dynamics_5",
-                          "projective_dynamics_20"});
-}
-
 /// Counts of steps, doubled from one to the next, and for a method with a step limit one just within it; with no ball,
 /// Dormand-Prince has falling tolerances instead.
 std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScene& scene) {
@@ -131,8 +123,12 @@ ExperimentCases precision_cases(bool quick) {
         }
         return rows;
     };
+    const auto methods =
+        methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
+                       "backward_euler", "implicit_midpoint_clamped", "implicit_midpoint_exact", "bdf2_clamped",
+                       "bdf2_exact", "xpbd_1", "xpbd_5", "xpbd_20", "projective_dynamics_5", "projective_dynamics_20"});
     return cases_over(run, Axis<PrecisionScene>{"scene", precision_scenes(quick)},
-                      Axis<Method>{"method", precision_methods()})(quick);
+                      Axis<Method>{"method", methods})(quick);
 }
 
 }  // namespace

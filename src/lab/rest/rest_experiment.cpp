@@ -106,14 +106,12 @@ Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool
 /// minutes by each of these, which takes hours, and a day for the shortest.
 ExperimentCases drift_cases(bool quick) {
     constexpr double shipped = 3.125e-4, ten_minutes = 600;
-    std::vector<std::pair<double, double>> watches{{long_step, 6}, {1e-3, 4}, {1e-4, 2}};
-    if (quick) {
-        watches = {{long_step, 6.0 / 3}, {1e-3, 4.0 / 3}};
-    } else {
-        for (const double step : {long_step, 1e-3, 1e-4}) watches.emplace_back(step, ten_minutes);
-    }
+    using Watches = std::vector<std::pair<double, double>>;  // step, and for how long [s]
+    const Watches brief{{long_step, 2}, {1e-3, 4.0 / 3}};
+    const Watches whole{{long_step, 6},           {1e-3, 4},           {1e-4, 2},
+                        {long_step, ten_minutes}, {1e-3, ten_minutes}, {1e-4, ten_minutes}};
     ExperimentCases all;
-    for (const auto& watch : watches) {
+    for (const auto& watch : quick ? brief : whole) {
         for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
             if (integrator == IntegratorKind::ExplicitEuler) continue;  // no step of it is stable there
             const double longest = has_step_limit(integrator) ? shipped : long_step;
