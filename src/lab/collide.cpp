@@ -17,7 +17,6 @@ namespace drape {
 namespace {
 
 constexpr double largest_coordinate = 1e12;  // m
-constexpr std::size_t longest_position_line = 4096;
 
 struct CollideOptions {
     std::string grid, positions, ball;
@@ -37,8 +36,7 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 
 Grid parse_grid(const std::string& text) {
     const auto size = parse_integers(text, 'x');
-    const auto fits = [](long long n) { return n >= 2 && n <= 4096; };
-    if (!size || !fits(size->first) || !fits(size->second)) {
+    if (!size || std::min(size->first, size->second) < 2 || std::max(size->first, size->second) > 4096) {
         throw InputError("--grid " + shortened(text) + ": allowed NXxNY, each 2 to 4096");
     }
     return {static_cast<int>(size->first), static_cast<int>(size->second)};
@@ -82,7 +80,7 @@ void collide(const CollideOptions& options) {
 }  // namespace
 
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
-    NumberedLines lines{.in = in, .file = file, .longest = longest_position_line, .may_be_cut_off = true};
+    NumberedLines lines{.in = in, .file = file, .longest = 4096, .may_be_cut_off = true};
     Points x(grid.particles(), 3);
     int row = 0;
     for (; lines.next(); ++row) {

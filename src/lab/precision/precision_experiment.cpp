@@ -36,11 +36,10 @@ PrecisionScene dropped(bool quick) {
     settings.cloths = {sheet_of(quick ? 6 : 12, 300, Real(0.2))};
     settings.cloths.front().centred = true;
     const Real gap = Real(0.2), radius = Real(0.05);
-    BallSettings ball;
+    BallSettings& ball = settings.balls.emplace_back();
     ball.radius = radius;
     ball.position = {Real(0.07), -(radius + settings.contact.thickness + gap), Real(0.04)};
     ball.motion = BallMotion::Still;
-    settings.balls = {ball};
     settings.solver.sleep_speed = 0;
     const auto rung = [quick](int parts) {
         return Rung{{.kind = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};

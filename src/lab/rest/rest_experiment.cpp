@@ -50,15 +50,13 @@ double root_mean(const std::deque<double>& squares) {
 /// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
 /// least. Speeds are those of the last half second.
 Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
-    Row row;
     Settings settings = rest_settings(scene, integrator, response, quick);
     double& step = settings.solver.dt;
     if (!has_step_limit(integrator)) step = long_step;
     const double shortest = step / 64;
     while (step >= shortest && step > 0.9 * Simulation(scene, settings).longest_step()) step /= 2;
-    row.set("end", step < shortest ? "no_stable_step" : "diverged");
-    if (step < shortest) return {row};
-    row.set("step_s", step);
+    if (step < shortest) return {Row{{"end", "no_stable_step"}}};
+    Row row{{"step_s", step}, {"end", "diverged"}};
     Simulation simulation(scene, settings);
     std::deque<double> squares;
     SleepWatch watch;
