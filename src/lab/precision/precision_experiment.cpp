@@ -13,7 +13,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
-#include "lab/measure/statistics.h"
 #include "precision.h"
 
 namespace drape {
