@@ -77,9 +77,7 @@ int run(int argc, char** argv) {
     if (!options) return Done;
     const StopSignals signals;
     Start start = make_start(options->start);
-    std::vector<NamedFile> files = input_files(options->start, start);
-    files.insert(files.end(), {{"--record", options->record}, {"--save", options->start.save}});
-    check_apart(files);
+    check_written(options->start, start, {{"--record", options->record}, {"--save", options->start.save}});
     const std::shared_ptr<void> display = open_display();
     if (!display) capture_instead(*options, "there is no display");
     Progress progress{*options};

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -99,5 +100,18 @@ LineEnd read_line(std::istream& in, std::string& line, std::size_t longest) {
     }
     return line.empty() ? LineEnd::None : ended(LineEnd::CutOff);
 }
+
+bool NumberedLines::next() {
+    const LineEnd end = read_line(in, line, longest);
+    if (end == LineEnd::None) return false;
+    ++number;
+    if (end == LineEnd::TooLong) fail("longer than " + std::to_string(longest) + " bytes");
+    if (end == LineEnd::CutOff && !may_be_cut_off) fail("cut off: expected an end of line");
+    return true;
+}
+
+std::string NumberedLines::place() const { return file + ":" + std::to_string(std::max(number, 1)); }
+
+void NumberedLines::fail(const std::string& why) const { throw InputError(place() + ": " + why); }
 
 }  // namespace drape

@@ -61,9 +61,7 @@ Start checked_start(const CaptureOptions& options) {
                                          {"--stats", options.stats},
                                          {"--state", options.state},
                                          {"--save", options.start.save}};
-    std::vector<NamedFile> files = input_files(options.start, start);
-    files.insert(files.end(), written.begin(), written.end());
-    check_apart(files);
+    check_written(options.start, start, written);
     for (const NamedFile& file : written) {
         if (options.out.empty() || file.path.empty() || !FrameWriter::is_frame(options.out, file.path)) continue;
         throw InputError(file.option + " " + file.path.string() + ": allowed any file but a frame of --out");

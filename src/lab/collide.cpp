@@ -17,7 +17,6 @@ namespace drape {
 namespace {
 
 constexpr double largest_coordinate = 1e12;  // m
-constexpr std::size_t longest_position_line = 4096;
 
 struct CollideOptions {
     std::string grid, positions, ball;
@@ -37,8 +36,7 @@ std::vector<double> parse_numbers(const std::string& text, std::size_t count, co
 
 Grid parse_grid(const std::string& text) {
     const auto size = parse_integers(text, 'x');
-    const auto fits = [](long long n) { return n >= 2 && n <= 4096; };
-    if (!size || !fits(size->first) || !fits(size->second)) {
+    if (!size || std::min(size->first, size->second) < 2 || std::max(size->first, size->second) > 4096) {
         throw InputError("--grid " + shortened(text) + ": allowed NXxNY, each 2 to 4096");
     }
     return {static_cast<int>(size->first), static_cast<int>(size->second)};
@@ -82,18 +80,12 @@ void collide(const CollideOptions& options) {
 }  // namespace
 
 Points read_positions(std::istream& in, const std::string& file, const Grid& grid) {
+    NumberedLines lines{.in = in, .file = file, .longest = 4096, .may_be_cut_off = true};
     Points x(grid.particles(), 3);
-    std::string line;
     int row = 0;
-    for (LineEnd end; (end = read_line(in, line, longest_position_line)) != LineEnd::None; ++row) {
-        const std::string where = fmt::format("{}:{}: ", file, row + 1);
-        if (end == LineEnd::TooLong) {
-            throw InputError(fmt::format("{}too long: allowed {} bytes in a line", where, longest_position_line));
-        }
-        if (row == grid.particles()) {
-            throw InputError(fmt::format("{}more rows than the grid's {} particles", where, row));
-        }
-        const auto values = parse_numbers(line, 3, where);
+    for (; lines.next(); ++row) {
+        if (row == grid.particles()) lines.fail(fmt::format("more rows than the grid's {} particles", row));
+        const auto values = parse_numbers(lines.line, 3, lines.place() + ": ");
         for (int axis = 0; axis < 3; ++axis) x(row, axis) = static_cast<Real>(values[static_cast<std::size_t>(axis)]);
     }
     if (row < grid.particles()) {

@@ -60,9 +60,8 @@ int simulate(SimulateOptions& options) {
         throw InputError("--time is missing: say --time T[,T2...], or --replay FILE to play a whole recording");
     }
     Start start = make_start(options.start);
-    std::vector<NamedFile> files = input_files(options.start, start);
-    files.insert(files.end(), {{"--state", options.state}, {"--stats", options.stats}, {"--save", options.start.save}});
-    check_apart(files);
+    check_written(options.start, start,
+                  {{"--state", options.state}, {"--stats", options.stats}, {"--save", options.start.save}});
     const bool replays = start.replay.has_value();
     Session session = make_session(std::move(start));
     const std::vector<double> times =

@@ -39,29 +39,24 @@ void check_count(std::size_t count, std::size_t largest, const std::string& what
 /// The lines `v` and `f` of an OBJ file without their comments: words in whose place are no numbers are refused here,
 /// where the line is known.
 std::string points_and_faces(std::istream& in, const std::string& file) {
-    std::string line, text;
+    NumberedLines lines{.in = in, .file = file, .longest = longest_line, .may_be_cut_off = true};
+    std::string text;
     std::size_t points = 0, faces = 0;
-    for (int number = 1;; ++number) {
-        const std::string place = file + ":" + std::to_string(number);
-        const LineEnd end = read_line(in, line, longest_line);
-        if (end == LineEnd::None) break;
-        if (end == LineEnd::TooLong) {
-            throw InputError(place + ": a line of more than " + std::to_string(longest_line) + " bytes");
-        }
-        std::string_view content = std::string_view(line).substr(0, line.find('#'));
-        if (number == 1 && content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
+    while (lines.next()) {
+        std::string_view content = std::string_view(lines.line).substr(0, lines.line.find('#'));
+        if (lines.number == 1 && content.starts_with(byte_order_mark)) content.remove_prefix(byte_order_mark.size());
         std::string_view rest = content;
         const std::string_view kind = next_word(rest);
         const bool is_point = kind == "v";
         if (!is_point && kind != "f") continue;
-        check_count(is_point ? ++points : points, max_points, "points", place);
-        check_count(is_point ? faces : ++faces, max_triangles, "triangles", place);
+        check_count(is_point ? ++points : points, max_points, "points", lines.place());
+        check_count(is_point ? faces : ++faces, max_triangles, "triangles", lines.place());
         for (int words = 0; words < 3 || rest.find_first_not_of(blanks) != rest.npos; ++words) {
             const std::string_view word = next_word(rest);
             const auto foreign = word.find_first_not_of(is_point ? "0123456789+-.eE" : "0123456789-/");
             if (!word.empty() && foreign == word.npos) continue;
-            throw InputError(place + ": " + std::string(kind) + ": '" + shortened(word) + "': allowed " +
-                             (is_point ? "three numbers" : "the numbers of three points or more"));
+            lines.fail(std::string(kind) + ": '" + shortened(word) + "': allowed " +
+                       (is_point ? "three numbers" : "the numbers of three points or more"));
         }
         text.append(content).append("\n");
     }

@@ -17,24 +17,23 @@ constexpr std::string_view one_cloth = "t,particle,x,y,z,vx,vy,vz", several = "t
 class Reader {
 public:
     Reader(std::istream& in, std::string file, std::span<const Grid> grids, std::size_t balls)
-        : in_(in), file_(std::move(file)), grids_(grids), balls_(balls) {}
+        : lines_{in, std::move(file), longest_row}, grids_(grids), balls_(balls) {}
 
     StartState read() {
-        std::string line;
         const std::string header(grids_.size() > 1 ? several : one_cloth);
-        if (read_line(in_, line, longest_row) != LineEnd::Whole || line != header) fail("expected '" + header + "'");
+        if (!lines_.next() || lines_.line != header) fail("expected '" + header + "'");
         for (const Grid& grid : grids_) {
             found_.states.push_back({Points(grid.particles(), 3), Points(grid.particles(), 3)});
         }
         bool any = false;
-        while (next_line(line)) {
-            if (line_ == 2 && line == std::string(comment) + std::string(ball_columns)) {
+        while (lines_.next()) {
+            if (lines_.number == 2 && lines_.line == std::string(comment) + std::string(ball_columns)) {
                 found_.balls.resize(balls_);
                 if (balls_ == 0) fail("allowed no balls: the scene has none");
                 continue;
             }
             any = true;
-            ball_ < found_.balls.size() ? take_ball(line) : take(line);
+            ball_ < found_.balls.size() ? take_ball(lines_.line) : take(lines_.line);
         }
         if (!any || particle_ != 0 || cloth_ != 0) {
             fail("ends before the last particle of cloth " + std::to_string(cloth_));
@@ -44,15 +43,6 @@ public:
     }
 
 private:
-    bool next_line(std::string& line) {
-        const LineEnd end = read_line(in_, line, longest_row);
-        if (end == LineEnd::None) return false;
-        ++line_;
-        if (end == LineEnd::CutOff) fail("cut off: expected an end of line");
-        if (end == LineEnd::TooLong) fail("longer than " + std::to_string(longest_row) + " bytes");
-        return true;
-    }
-
     void take(const std::string& line) {
         const bool many = grids_.size() > 1;
         if (line.starts_with(comment)) fail("allowed no more balls: the scene has " + std::to_string(balls_));
@@ -108,16 +98,12 @@ private:
         found_.time = t;
     }
 
-    [[noreturn]] void fail(const std::string& message) const {
-        throw InputError(file_ + ":" + std::to_string(line_) + ": " + message);
-    }
+    [[noreturn]] void fail(const std::string& message) const { lines_.fail(message); }
 
-    std::istream& in_;
-    std::string file_;
+    NumberedLines lines_;
     std::span<const Grid> grids_;
     std::size_t balls_;  ///< of the scene
     StartState found_;
-    int line_ = 1;
     std::size_t cloth_ = 0;        ///< that the next row is of
     int particle_ = 0;             ///< likewise
     std::size_t ball_ = SIZE_MAX;  ///< likewise, once the particles of a moment are read

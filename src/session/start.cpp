@@ -85,12 +85,14 @@ Start make_start(StartOptions options) {
     return start;
 }
 
-std::vector<NamedFile> input_files(const StartOptions& options, const Start& start) {
+void check_written(const StartOptions& options, const Start& start, const std::vector<NamedFile>& written) {
     constexpr auto read = NamedFile::Use::Read;
-    return {{"SCENE", scene_file(start.scene), read},
-            {"--replay", options.replay, read},
-            {"--load", options.load, read},
-            {"start =", start.settings.start, read}};
+    std::vector<NamedFile> files{{"SCENE", scene_file(start.scene), read},
+                                 {"--replay", options.replay, read},
+                                 {"--load", options.load, read},
+                                 {"start =", start.settings.start, read}};
+    files.insert(files.end(), written.begin(), written.end());
+    check_apart(files);
 }
 
 Session make_session(Start start, const std::string& record) {

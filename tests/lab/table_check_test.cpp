@@ -133,7 +133,7 @@ TEST(TableCheck, DemandsAHeadThatSaysWhatTheTableIs) {
                                     8)),
                 HasSubstr("t.csv:1: "));
     EXPECT_THAT(refusal(""), HasSubstr("there is no table"));
-    EXPECT_THAT(with("A (R)", std::string(20'000, 'a')), HasSubstr("t.csv:4: cut off, or longer"));
+    EXPECT_THAT(with("A (R)", std::string(20'000, 'a')), HasSubstr("t.csv:4: longer than 16384 bytes"));
 }
 
 TEST(TableCheck, ReadsWhatARunHasWrittenUnlessItIsCutOffAnywhere) {

@@ -162,6 +162,20 @@ TEST_P(EachResponse, SticksOnASlopeUpToTheFrictionCoefficientAndSlidesBeyond) {
     }
 }
 
+TEST(Penalty, HoldsASheetAtLongerStepsWhereDampersSeeWhatHasMoved) {
+    for (const IntegratorKind kind : {IntegratorKind::VelocityVerlet, IntegratorKind::SymplecticEuler}) {
+        Settings settings = sheet_at(0);
+        settings.contact.response = ResponseKind::Penalty;
+        settings.contact.stiffness = 1000;
+        settings.solver.integrator = kind;
+        settings.solver.dt = 2.9e-3;
+        Simulation sheet("sheet", std::move(settings));
+        Real highest = 0;
+        run(sheet, 3, [&] { highest = std::max(highest, centre_of(sheet).y()); });
+        EXPECT_EQ(highest > Real(0.01), kind == IntegratorKind::SymplecticEuler) << highest << " m";
+    }
+}
+
 class FrictionOfEachMethod : public testing::TestWithParam<IntegratorKind> {};
 
 INSTANTIATE_TEST_SUITE_P(One, FrictionOfEachMethod, testing::Values(IntegratorKind::BackwardEuler));

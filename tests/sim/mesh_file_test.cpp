@@ -215,8 +215,7 @@ TEST_F(MeshFile, BadInputIsNamedWithLineValueAndRange) {
                     AllOf(HasSubstr("mesh.obj: not read by Assimp (OBJ: "), HasSubstr("allowed a valid obj file")))
             << corner;
     }
-    EXPECT_THAT(error_of(tetrahedron + std::string(5000, ' ')),
-                HasSubstr("mesh.obj:9: a line of more than 4096 bytes"));
+    EXPECT_EQ(error_of(tetrahedron + std::string(5000, ' ')), "mesh.obj:9: longer than 4096 bytes");
     EXPECT_THAT(error_of("v 0 1e9 0\n" + tetrahedron), HasSubstr("allowed three numbers, each -1000 <= x <= 1000 m"));
     EXPECT_THAT(error_of("solid\nfacet\nouter loop\nvertex 0 zero 0\n", "mesh.stl"),
                 HasSubstr("mesh.stl: not read by Assimp ("));

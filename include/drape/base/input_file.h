@@ -40,4 +40,23 @@ enum class LineEnd { Whole, CutOff, TooLong, None };
 /// `longest` bytes, whatever the file is.
 LineEnd read_line(std::istream& in, std::string& line, std::size_t longest);
 
+/// The lines of a file one after the other, with the number of each for messages.
+struct NumberedLines {
+    std::istream& in;
+    std::string file;             ///< as messages name it
+    std::size_t longest;          ///< bytes that a line may have
+    bool may_be_cut_off = false;  ///< the last line may lack its end
+    std::string line = {};
+    int number = 0;  ///< of the line, from 1
+
+    /// Reads the next line, as `read_line`.
+    /// @return false at the end of the file; messages still name the last line
+    /// @throws InputError if the line is too long, or is cut off and may not be
+    bool next();
+
+    /// "FILE:NUMBER", and an error there. @throws InputError
+    [[nodiscard]] std::string place() const;
+    [[noreturn]] void fail(const std::string& why) const;
+};
+
 }  // namespace drape

@@ -52,8 +52,9 @@ struct Start {
 /// @throws InputError if a file, a scene or an assignment is bad
 Start make_start(StartOptions options);
 
-/// The files that a start was read from, to be kept apart from those that are written.
-std::vector<NamedFile> input_files(const StartOptions& options, const Start& start);
+/// `check_apart` of the files that a run is to write and those that its start was read from.
+/// @throws InputError as it does
+void check_written(const StartOptions& options, const Start& start, const std::vector<NamedFile>& written);
 
 /// The simulation of a start, with its replay running.
 /// @param record file for a recording of all that follows, the replay's commands included; empty: none

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "drape/scene/settings.h"
 #include "lab/experiment/experiment.h"
@@ -12,11 +11,8 @@ namespace drape {
 /// found by brute force.
 Settings combination_of(IntegratorKind integrator, ResponseKind response, bool continuous);
 
-/// The same by every volume with every update, brute force left out: they must not change the motion.
-std::vector<Settings> with_all_trees(const Settings& combination);
-
-/// One of these, such that any two values of integrator, response, detection, volume and update meet in at least one of
-/// those for all combinations.
+/// The same by one of all trees, a volume with an update, which must not change the motion. Any two values of
+/// integrator, response, detection, volume and update meet in at least one of those for all combinations.
 Settings with_sampled_tree(const Settings& combination);
 
 /// What a run has come to.

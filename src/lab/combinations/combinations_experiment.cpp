@@ -21,6 +21,20 @@ double step_of(IntegratorKind integrator, ResponseKind response) {
     return has_step_limit(integrator) ? 5e-4 : 2.5e-3;
 }
 
+/// The same by every volume with every update, brute force left out.
+std::vector<Settings> with_all_trees(const Settings& combination) {
+    std::vector<Settings> all;
+    for (const VolumeKind volume : values_of<VolumeKind>()) {
+        if (volume == VolumeKind::Brute) continue;
+        for (const UpdateKind update : values_of<UpdateKind>()) {
+            Settings& settings = all.emplace_back(combination);
+            settings.contact.volume = volume;
+            settings.contact.update = update;
+        }
+    }
+    return all;
+}
+
 /// A combination, by brute force and by trees.
 Rows run_trees(IntegratorKind integrator, ResponseKind response, const std::string& detection, bool quick) {
     constexpr double seconds = 2;
@@ -52,19 +66,6 @@ Settings combination_of(IntegratorKind integrator, ResponseKind response, bool c
     settings.contact.update = UpdateKind::Rebuild;
     settings.contact.leaf_cells = 2;
     return settings;
-}
-
-std::vector<Settings> with_all_trees(const Settings& combination) {
-    std::vector<Settings> all;
-    for (const VolumeKind volume : values_of<VolumeKind>()) {
-        if (volume == VolumeKind::Brute) continue;
-        for (const UpdateKind update : values_of<UpdateKind>()) {
-            Settings& settings = all.emplace_back(combination);
-            settings.contact.volume = volume;
-            settings.contact.update = update;
-        }
-    }
-    return all;
 }
 
 Settings with_sampled_tree(const Settings& combination) {

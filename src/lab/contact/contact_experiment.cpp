@@ -59,12 +59,12 @@ bool touches_front(const ContactTrial& trial, int triangle) {
     const bool looked_back = cloth.search.reach(body_of(ball, trial.settings.contact), thickness) > 0;
     const Vec3 start = looked_back ? Vec3(ball.centre - ball.moved) : ball.centre;
     const Points &x = trial.unpushed, &before = looked_back ? cloth.previous.x : x;
-    const auto [a, b, c] = cloth.model.grid.triangle_corners(triangle);
-    const auto at = [](const Points& points, int p) -> Vec3 { return points.row(p).transpose(); };
-    const ClosestPoint closest = closest_point_on_triangle(start, at(before, a), at(before, b), at(before, c));
+    const auto corners = cloth.model.grid.triangle_corners(triangle);
+    const ClosestPoint closest = closest_point(before, corners, start);
     const auto& [u, v, w] = closest.barycentric;
     const Vec3 normal = (closest.point - start).normalized();
-    const Real distance = (u * at(x, a) + v * at(x, b) + w * at(x, c) - ball.centre).dot(normal);
+    const Vec3 point = u * position(x, corners[0]) + v * position(x, corners[1]) + w * position(x, corners[2]);
+    const Real distance = (point - ball.centre).dot(normal);
     return distance <= ball.radius + thickness && normal.dot(ball.velocity) >= 0;
 }
 

@@ -35,13 +35,4 @@ void ContactTrial::advance(Real h) {
     stage.detect(report);
 }
 
-void ContactTrial::respond() {
-    stage.solve(report);
-    stage.end();
-}
-
-Vec3 ContactTrial::momentum(std::size_t cloth) const {
-    return cloths[cloth].model.particle_mass * cloths[cloth].state.v.colwise().sum().transpose();
-}
-
 }  // namespace drape

@@ -20,10 +20,15 @@ struct ContactTrial {
     void advance(Real h);
 
     /// Answers what was found.
-    void respond();
+    void respond() {
+        stage.solve(report);
+        stage.end();
+    }
 
     /// Of a cloth [kg m/s].
-    [[nodiscard]] Vec3 momentum(std::size_t cloth) const;
+    [[nodiscard]] Vec3 momentum(std::size_t cloth) const {
+        return cloths[cloth].model.particle_mass * cloths[cloth].state.v.colwise().sum().transpose();
+    }
 
     Settings settings;
     std::vector<Cloth> cloths;

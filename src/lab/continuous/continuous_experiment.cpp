@@ -13,6 +13,7 @@ namespace drape {
 namespace {
 
 constexpr Real shot_radius = Real(0.01);
+constexpr unsigned seed = 29;
 
 /// A square about the origin at right angles to y.
 Points flat_square(int side, Real width) {
@@ -44,31 +45,26 @@ struct Way {
     Vec3 middle, direction;
 };
 
-class RandomWays {
-public:
-    Way past_sheet() { return {Real(0.05) * Vec3(draw(), 0, draw()), Vec3(0, draw() < 0 ? -1 : 1, 0)}; }
-
-    /// At a distance that is even over the ball's disc, in a direction that is even over all.
-    Way past_point() {
-        const Vec3 direction = anywhere();
-        const Vec3 aside = direction.cross(anywhere()).normalized();
-        return {shot_radius * std::sqrt(std::abs(draw())) * aside, direction};
+/// Of length 1, even over the sphere.
+Vec3 any_direction(std::mt19937& random) {
+    for (;;) {
+        const Vec3 p(uniform<Real>(random), uniform<Real>(random), uniform<Real>(random));
+        const Real square = p.squaredNorm();
+        if (square > Real(0.01) && square < 1) return p / std::sqrt(square);
     }
+}
 
-    Real draw() { return uniform<Real>(random_); }
+Way past_sheet(std::mt19937& random) {
+    return {Real(0.05) * Vec3(uniform<Real>(random), 0, uniform<Real>(random)),
+            Vec3(0, uniform<Real>(random) < 0 ? -1 : 1, 0)};
+}
 
-private:
-    /// Of length 1, even over the sphere.
-    Vec3 anywhere() {
-        for (;;) {
-            const Vec3 p(draw(), draw(), draw());
-            const Real square = p.squaredNorm();
-            if (square > Real(0.01) && square < 1) return p / std::sqrt(square);
-        }
-    }
-
-    std::mt19937 random_{29};
-};
+/// At a distance that is even over the ball's disc, in a direction that is even over all.
+Way past_point(std::mt19937& random) {
+    const Vec3 direction = any_direction(random);
+    const Vec3 aside = direction.cross(any_direction(random)).normalized();
+    return {shot_radius * std::sqrt(std::abs(uniform<Real>(random))) * aside, direction};
+}
 
 /// The part that discrete detection misses. A chord at the distance b from a ball's centre is c = 2 sqrt(R^2 - b^2)
 /// long, and is stepped over with the probability 1 - c / (2 R q), if that is positive. With b even over the disc its
@@ -92,13 +88,13 @@ Rows misses_at(const std::string& target, double q, int shots) {
     std::vector<CellRun> all;
     list_all_cells(grid, all);
     std::vector<ContactRow> expected;
-    RandomWays ways;
+    std::mt19937 random(seed);
     double discrete_missed = 0, continuous_missed = 0;
     const Real step = 2 * shot_radius * static_cast<Real>(q);
     for (int shot = 0; shot < shots; ++shot) {
-        const Way way = point ? ways.past_point() : ways.past_sheet();
+        const Way way = point ? past_point(random) : past_sheet(random);
         bool discrete = false, continuous = false;
-        for (Real s = -2 * shot_radius - step * (1 + std::abs(ways.draw())); s < 2 * shot_radius; s += step) {
+        for (Real s = -2 * shot_radius - step * (1 + std::abs(uniform<Real>(random))); s < 2 * shot_radius; s += step) {
             const Vec3 moved = step * way.direction, centre = way.middle + s * way.direction + moved;
             const Ball ball{.centre = centre, .radius = shot_radius, .moved = moved};
             discrete = discrete || detector.touches(cloth, ball, 0);
@@ -126,14 +122,14 @@ Rows times_of(int side, int steps) {
         std::vector<double> build = {}, search = {};
     };
     TimedDetector timed[] = {{false, Detector(grid)}, {true, Detector(grid)}};
-    RandomWays ways;
+    std::mt19937 random(seed);
     const Real radius = Real(0.05), path = Real(10) / 60;
     for (int step = -2; step < steps; ++step) {
         from = to;
-        const Real bend = Real(0.05) * ways.draw(), move = Real(0.05) * ways.draw();
+        const Real bend = Real(0.05) * uniform<Real>(random), move = Real(0.05) * uniform<Real>(random);
         to.col(1) = (bend * (to.col(0).array() * to.col(2).array()) + move).matrix();
-        const Way way = ways.past_sheet();
-        const Vec3 start = way.middle + path * (std::abs(ways.draw()) - 1) * way.direction;
+        const Way way = past_sheet(random);
+        const Vec3 start = way.middle + path * (std::abs(uniform<Real>(random)) - 1) * way.direction;
         const Vec3 moved = path * way.direction;
         const Ball ball{.centre = start + moved, .radius = radius, .moved = moved};
         for (TimedDetector& one : timed) {

@@ -49,8 +49,7 @@ TableRow Row::texts(const Columns& columns, int digits) const {
     }
     TableRow texts;
     for (const Column& column : columns) {
-        const auto found = cells_.find(column.name);
-        const std::string cell = found == cells_.end() ? column.if_none : found->second;
+        const std::string cell = has(column.name) ? word(column.name) : column.if_none;
         const auto number = parse_real(cell);
         texts.push_back(!number || parse_integer(cell) ? cell
                         : std::isnan(*number)          ? column.if_none

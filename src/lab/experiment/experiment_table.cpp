@@ -71,27 +71,6 @@ bool is_plain(std::string_view cell) {
         cell, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.' || c == '+' || c == '-'; });
 }
 
-/// The lines of a table, one after the other.
-struct TableLines {
-    std::istream& in;
-    const std::string& name;
-    std::string line = {};
-    int number = 0;
-
-    /// False at the end.
-    bool next() {
-        const LineEnd end = read_line(in, line, longest_line);
-        if (end == LineEnd::None) return false;
-        ++number;
-        if (end != LineEnd::Whole) fail("cut off, or longer than a table's line may be");
-        return true;
-    }
-
-    [[noreturn]] void fail(const std::string& why) const {
-        throw InputError(fmt::format("{}:{}: {}", name, number, why));
-    }
-};
-
 }  // namespace
 
 std::vector<std::size_t> CaseSelection::numbers(std::size_t count) const {
@@ -134,7 +113,7 @@ Rows ExperimentTable::rows() const {
 }
 
 ExperimentTable read_table(const Experiment& experiment, std::istream& in, const std::string& name) {
-    TableLines lines{in, name};
+    NumberedLines lines{in, name, longest_line};
     ExperimentTable table;
     for (const std::string line : head_lines) {
         const std::string mark = "# " + line + ": ";

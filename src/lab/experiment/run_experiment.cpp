@@ -49,18 +49,16 @@ ExperimentTable resumed(const Experiment& experiment, const TableHead& head, con
 }
 
 /// Computes the cases that are missing.
-void compute(const Experiment& experiment, const ExperimentCases& cases, const std::vector<std::size_t>& wanted,
+void compute(const Experiment& experiment, const ExperimentCases& cases, std::vector<std::size_t> wanted,
              const TableHead& head, const std::filesystem::path& file) {
     constexpr double most_unwritten = 1;  // s
     ExperimentTable table = resumed(experiment, head, file);
     write_table(experiment, table, unfinished_name(file));
     const Stopwatch watch;
     Stopwatch unwritten;
-    const auto missing = static_cast<std::size_t>(
-        std::ranges::count_if(wanted, [&](std::size_t number) { return !table.cases.contains(number); }));
-    Progress progress(missing, "case");
+    std::erase_if(wanted, [&](std::size_t number) { return table.cases.contains(number); });
+    Progress progress(wanted.size(), "case");
     for (const std::size_t number : wanted) {
-        if (table.cases.contains(number)) continue;
         table.cases[number] = cases[number - 1]();
         progress.advance();
         if (unwritten.seconds() < most_unwritten) continue;
@@ -69,7 +67,7 @@ void compute(const Experiment& experiment, const ExperimentCases& cases, const s
     }
     progress.clear();
     finish_table(experiment, table, file);
-    tell(file.string() + ": " + std::to_string(missing) + " cases in " + real_text(watch.seconds(), 3) + " s");
+    tell(file.string() + ": " + std::to_string(wanted.size()) + " cases in " + real_text(watch.seconds(), 3) + " s");
 }
 
 /// The finished table of the same program, machine and settings; a table of anything else is none of ours.

@@ -200,9 +200,7 @@ std::vector<SearchLimit> limits(const Grid& grid, int leaf_cells, bool quick) {
 ExperimentCases budgets(bool quick) {
     const auto add_rows = [quick](const RecordedMotion& motion, BroadPhaseParameters parameters, Rows& rows) {
         // Long enough for the ball to be well in the cloth
-        const auto scenes = scene_motions(1);
-        const double from = std::ranges::find(scenes, motion.scene, &MotionWanted::scene)->from;
-        const double time = from + (quick ? 0.4 : 1.0);
+        const double time = motion.from + (quick ? 0.4 : 1.0);
         Points full, x;
         simulate(motion.scene, parameters, time, full);
         for (const SearchLimit& limit : limits(motion.grid, parameters.leaf_cells, quick)) {

@@ -16,7 +16,7 @@
 namespace drape {
 namespace {
 
-/// As `Tightness` has sizes [m].
+/// As `tightness_of` has sizes [m].
 Real size_of(const BoundingSphere& sphere) { return sphere.radius; }
 Real size_of(const Aabb& box) { return (box.high - box.low).mean() / 2; }
 Real size_of(const Obb& box) { return (box.high - box.low).mean() / 2; }
@@ -83,7 +83,7 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     const auto integrator = make_integrator(integrator_of(settings.solver), grid);
 
     const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / dt)), 1);
-    RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt};
+    RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt, .from = wanted.from};
     const auto first = static_cast<std::int64_t>(std::llround(wanted.from / dt));
     const std::int64_t last = first + static_cast<std::int64_t>(wanted.frames - 1) * steps_between;
     for (std::int64_t step = 0; step <= last; ++step) {

@@ -20,6 +20,7 @@ struct RecordedMotion {
     std::string scene;
     Grid grid;
     double interval = 0;           ///< between frames [s]
+    double from = 0;               ///< simulated time of the first [s]
     std::vector<Points> x = {};    ///< a frame each [m]
     std::vector<Ball> balls = {};  ///< a frame each, grown by the cloth's thickness
 };

@@ -120,9 +120,7 @@ int find(const Needs& needs, const std::string& file, OutputFile& out) {
 
 int run(const NeedsOptions& options) {
     const Start start = make_start(options.start);
-    std::vector<NamedFile> files = input_files(options.start, start);
-    files.push_back({"--write", options.write});
-    check_apart(files);
+    check_written(options.start, start, {{"--write", options.write}});
     // What would be refused at the end is refused at once
     if (!options.write.empty()) text_of_found(start.settings, start.settings, options.write);
     OutputFile out(options.write);

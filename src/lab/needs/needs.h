@@ -20,9 +20,6 @@ namespace drape {
 /// A setting that the search for what a scene needs may change.
 enum class Knob { Particles, Bend, Drag, Integrator, Dt, Iterations, Volume, Update, SphereFit, LeafCells };
 
-/// The knobs that change the motion and have an order: a scene can have one notch less of each.
-inline constexpr std::array ordered_knobs{Knob::Particles, Knob::Bend, Knob::Drag, Knob::Dt, Knob::Iterations};
-
 /// Those that say how contacts with balls are looked for.
 inline constexpr std::array hierarchy_knobs{Knob::Volume, Knob::Update, Knob::SphereFit, Knob::LeafCells};
 
@@ -30,12 +27,6 @@ inline constexpr std::array hierarchy_knobs{Knob::Volume, Knob::Update, Knob::Sp
 /// stay where pins or a start state count them, and the hierarchy where there is no ball to search for.
 /// @throws InputError if `needs.keep` has a word that names no knob
 std::set<Knob> free_knobs(const Settings& scene);
-
-/// The steps that are tried, longest first: ten a decade, rounded so that nearly all divide a tenth of a second [s].
-inline constexpr std::array step_ladder{1.6e-2, 1.25e-2, 1e-2, 8e-3, 6.25e-3, 5e-3, 4e-3, 3.125e-3, 2.5e-3, 2e-3,
-                                        1.6e-3, 1.25e-3, 1e-3, 8e-4, 6.25e-4, 5e-4, 4e-4, 3.125e-4, 2.5e-4, 2e-4,
-                                        1.6e-4, 1.25e-4, 1e-4, 8e-5, 6.25e-5, 5e-5, 4e-5, 3.125e-5, 2.5e-5, 2e-5,
-                                        1.6e-5, 1.25e-5, 1e-5};
 
 /// A scene with one notch less of a knob: four fifths of the cells a side, no bend springs, no drag, the next longer
 /// step of the ladder, or one iteration less. Nothing if there is no less, or the scene does not leave it free.

@@ -13,7 +13,6 @@
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
 #include "lab/measure/methods.h"
-#include "lab/measure/statistics.h"
 #include "precision.h"
 
 namespace drape {
@@ -36,24 +35,15 @@ PrecisionScene dropped(bool quick) {
     settings.cloths = {sheet_of(quick ? 6 : 12, 300, Real(0.2))};
     settings.cloths.front().centred = true;
     const Real gap = Real(0.2), radius = Real(0.05);
-    BallSettings ball;
+    BallSettings& ball = settings.balls.emplace_back();
     ball.radius = radius;
     ball.position = {Real(0.07), -(radius + settings.contact.thickness + gap), Real(0.04)};
     ball.motion = BallMotion::Still;
-    settings.balls = {ball};
     settings.solver.sleep_speed = 0;
     const auto rung = [quick](int parts) {
         return Rung{{.kind = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};
     };
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
-}
-
-/// In the order of the table.
-std::vector<Method> precision_methods() {
-    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
-                          "backward_euler", "implicit_midpoint_clamped", "implicit_midpoint_exact", "bdf2_clamped",
-                          "bdf2_exact", "xpbd_1", "xpbd_5", "xpbd_20", "projective_dynamics_5",
-                          "projective_dynamics_20"});
 }
 
 /// Counts of steps, doubled from one to the next, and for a method with a step limit one just within it; with no ball,
@@ -131,8 +121,12 @@ ExperimentCases precision_cases(bool quick) {
         }
         return rows;
     };
+    const auto methods =
+        methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "dormand_prince",
+                       "backward_euler", "implicit_midpoint_clamped", "implicit_midpoint_exact", "bdf2_clamped",
+                       "bdf2_exact", "xpbd_1", "xpbd_5", "xpbd_20", "projective_dynamics_5", "projective_dynamics_20"});
     return cases_over(run, Axis<PrecisionScene>{"scene", precision_scenes(quick)},
-                      Axis<Method>{"method", precision_methods()})(quick);
+                      Axis<Method>{"method", methods})(quick);
 }
 
 }  // namespace

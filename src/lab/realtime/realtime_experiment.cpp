@@ -21,16 +21,7 @@ struct FrameMotion {
 constexpr double frame = 1.0 / 60;    // s
 constexpr double most_excess = 0.01;  // of the stretch, that a picture may have
 
-/// A method, and in how many steps it makes a frame. One with a step limit makes one step, which is divided as its
-/// limit asks for.
-Axis<std::string> frame_methods() {
-    return {"method",
-            {"symplectic_euler_by_1", "velocity_verlet_by_1", "rk4_by_1", "backward_euler_clamped_by_1",
-             "backward_euler_clamped_by_2", "backward_euler_clamped_by_4", "bdf2_clamped_by_1", "bdf2_clamped_by_2",
-             "bdf2_clamped_by_4", "xpbd_1_by_5", "xpbd_1_by_10", "xpbd_1_by_20", "xpbd_1_by_40", "xpbd_20_by_1",
-             "projective_dynamics_10_by_1"}};
-}
-
+/// @param method and, behind "_by_", in how many steps it makes a frame
 Settings settings_of(const FrameMotion& motion, const std::string& method, int side, int threads) {
     const bool folds = motion.name == "fold";
     const std::size_t by = method.rfind("_by_");
@@ -113,7 +104,14 @@ ExperimentCases realtime_cases(bool quick) {
     const std::vector<FrameMotion> motions{{"free", "two_corners"},  // falls, hung by two corners
                                            {"ball", "drop"},         // falls flat on a ball
                                            {"fold", "fold"}};        // falls upright on the ground and folds on itself
-    return cases_over(run, Axis<FrameMotion>{"motion", motions}, Axis<int>{"threads", {1, 2}}, frame_methods())(quick);
+    // One with a step limit makes one step a frame, which is divided as its limit asks for
+    const Axis<std::string> methods{
+        "method",
+        {"symplectic_euler_by_1", "velocity_verlet_by_1", "rk4_by_1", "backward_euler_clamped_by_1",
+         "backward_euler_clamped_by_2", "backward_euler_clamped_by_4", "bdf2_clamped_by_1", "bdf2_clamped_by_2",
+         "bdf2_clamped_by_4", "xpbd_1_by_5", "xpbd_1_by_10", "xpbd_1_by_20", "xpbd_1_by_40", "xpbd_20_by_1",
+         "projective_dynamics_10_by_1"}};
+    return cases_over(run, Axis<FrameMotion>{"motion", motions}, Axis<int>{"threads", {1, 2}}, methods)(quick);
 }
 
 }  // namespace

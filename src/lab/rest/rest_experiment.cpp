@@ -50,15 +50,13 @@ double root_mean(const std::deque<double>& squares) {
 /// limit, else at `long_step`, halved until it is below nine tenths of the limits of method and penalty, to a 64th at
 /// least. Speeds are those of the last half second.
 Rows run_rest_case(ResponseKind response, const char* scene, IntegratorKind integrator, bool quick) {
-    Row row;
     Settings settings = rest_settings(scene, integrator, response, quick);
     double& step = settings.solver.dt;
     if (!has_step_limit(integrator)) step = long_step;
     const double shortest = step / 64;
     while (step >= shortest && step > 0.9 * Simulation(scene, settings).longest_step()) step /= 2;
-    row.set("end", step < shortest ? "no_stable_step" : "diverged");
-    if (step < shortest) return {row};
-    row.set("step_s", step);
+    if (step < shortest) return {Row{{"end", "no_stable_step"}}};
+    Row row{{"step_s", step}, {"end", "diverged"}};
     Simulation simulation(scene, settings);
     std::deque<double> squares;
     SleepWatch watch;
@@ -106,14 +104,12 @@ Rows run_drift_case(IntegratorKind integrator, double step, double seconds, bool
 /// minutes by each of these, which takes hours, and a day for the shortest.
 ExperimentCases drift_cases(bool quick) {
     constexpr double shipped = 3.125e-4, ten_minutes = 600;
-    std::vector<std::pair<double, double>> watches{{long_step, 6}, {1e-3, 4}, {1e-4, 2}};
-    if (quick) {
-        watches = {{long_step, 6.0 / 3}, {1e-3, 4.0 / 3}};
-    } else {
-        for (const double step : {long_step, 1e-3, 1e-4}) watches.emplace_back(step, ten_minutes);
-    }
+    using Watches = std::vector<std::pair<double, double>>;  // step, and for how long [s]
+    const Watches brief{{long_step, 2}, {1e-3, 4.0 / 3}};
+    const Watches whole{{long_step, 6},           {1e-3, 4},           {1e-4, 2},
+                        {long_step, ten_minutes}, {1e-3, ten_minutes}, {1e-4, ten_minutes}};
     ExperimentCases all;
-    for (const auto& watch : watches) {
+    for (const auto& watch : quick ? brief : whole) {
         for (const IntegratorKind integrator : values_of<IntegratorKind>()) {
             if (integrator == IntegratorKind::ExplicitEuler) continue;  // no step of it is stable there
             const double longest = has_step_limit(integrator) ? shipped : long_step;

@@ -10,12 +10,6 @@
 namespace drape {
 namespace {
 
-std::vector<Method> stability_methods() {
-    return methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "backward_euler_clamped",
-                          "backward_euler_exact", "implicit_midpoint_clamped", "implicit_midpoint_exact",
-                          "bdf2_clamped", "bdf2_exact", "xpbd_1", "xpbd_20", "projective_dynamics"});
-}
-
 /// Where the limit is linear: a free flat sheet without gravity, so that it is tried in the state that the prediction
 /// is about. Elsewhere: a sheet that falls and swings, hung by two corners.
 /// @param sweep what varies
@@ -81,8 +75,12 @@ Rows run_stability_case(const Method& method, const char* sweep, int side, const
 }
 
 ExperimentCases stability_cases(bool quick) {
+    const auto methods =
+        methods_named({"explicit_euler", "symplectic_euler", "velocity_verlet", "rk4", "backward_euler_clamped",
+                       "backward_euler_exact", "implicit_midpoint_clamped", "implicit_midpoint_exact", "bdf2_clamped",
+                       "bdf2_exact", "xpbd_1", "xpbd_20", "projective_dynamics"});
     ExperimentCases all;
-    for (const Method& method : stability_methods()) {
+    for (const Method& method : methods) {
         const bool limited = has_step_limit(method.parameters.kind);
         const int charted = limited ? (quick ? 16 : 30) : (quick ? 8 : 16);
         const int steps = limited ? 3000 : (quick ? 300 : 1000);
