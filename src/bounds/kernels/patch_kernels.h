@@ -47,19 +47,6 @@ void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
 /// @param low, high receive 3 each
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high);
 
-/// The index of a particle in the arrays of a patch. Of several that are equally far out, the first counts.
-using ParticleIndex = std::ptrdiff_t;
-
-/// The particle that is farthest from a point.
-ParticleIndex farthest_particle(const Patch& patch, const Vec3& from);
-
-struct Extremes {
-    ParticleIndex low, high;
-};
-
-/// The particles at both ends along a direction.
-Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction);
-
 /// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
 /// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the
 /// centres of all nodes above it are taken. The radii are those of the fit node by node about the same centres, bit for
