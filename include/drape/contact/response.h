@@ -19,6 +19,9 @@ enum class ResponseKind {
     Hybrid       ///< impulses on impact, penalties at rest
 };
 
+/// Whether some contacts of this response, or all, are answered by penalties.
+bool has_penalties(ResponseKind kind);
+
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
     Real friction = Real(0.3);          ///< Coulomb coefficient between cloths

@@ -77,6 +77,8 @@ Sweeps respond(ContactProblem& problem) {
 
 }  // namespace
 
+bool has_penalties(ResponseKind kind) { return answers[static_cast<std::size_t>(kind)].penalties; }
+
 ContactSolver::Scratch& ContactSolver::scratch() {
     if (!scratch_) scratch_ = std::make_shared<Scratch>();
     return *scratch_;
