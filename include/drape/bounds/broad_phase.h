@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -60,17 +59,6 @@ struct TraversalStats {
     TraversalStats& operator+=(const TraversalStats& other);
 };
 
-/// Cells that follow one another in a row of the grid.
-struct CellRun {
-    int row = 0;
-    int column = 0;  ///< of the first
-    int count = 0;
-    auto operator<=>(const CellRun&) const = default;
-};
-
-/// All cells of a grid, a run a row.
-void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
-
 /// A node at which a search ended.
 struct StoppedNode : CellRange {
     BoundingSphere sphere;
@@ -79,7 +67,8 @@ struct StoppedNode : CellRange {
 
 /// What a query hands on.
 struct Candidates {
-    std::vector<CellRun> cells;        ///< every cell that may touch, each once; the runs in no particular order
+    /// Every cell that may touch, each once: ranges of a row each, in no particular order, or the one of all cells.
+    std::vector<CellRange> cells;
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
 

@@ -59,7 +59,7 @@ public:
             leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
             leaves_.push_back(static_cast<int>(n));
         }
-        std::ranges::sort(leaves_, {}, [this](int n) { return std::pair(nodes_[at(n)].j0, nodes_[at(n)].i0); });
+        std::ranges::sort(leaves_, {}, [this](int n) { return nodes_[at(n)].first(); });
     }
 
     [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ClothQuadtree>(*this); }
@@ -224,15 +224,13 @@ private:
         const QuadtreeNode& node = nodes_[at(n)];
         BoundingSphere sphere = volumes_[at(n)].sphere();
         sphere.radius += slack_;
-        const int middle = (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
-        return {node, sphere, middle};
+        return {node, sphere, grid_.cell((node.i0 + node.i1) / 2, (node.j0 + node.j1) / 2)};
     }
 
     static void take_leaf(const QuadtreeNode& leaf, Candidates& found, TraversalStats& stats) {
-        const int columns = leaf.i1 - leaf.i0;
-        for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({j, leaf.i0, columns});
+        for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({leaf.i0, j, leaf.i1, j + 1});
         ++stats.leaves;
-        stats.candidates += static_cast<std::int64_t>(columns) * (leaf.j1 - leaf.j0);
+        stats.candidates += leaf.cells();
     }
 
     /// With several balls the most counts that any query did with a node.
@@ -269,9 +267,7 @@ private:
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             volumes_[n] = Volume::start(patch_of(grid_, nodes_[n], x));
         }
-        for (int j = 0; j < grid_.cell_rows(); ++j) {
-            for (int i = 0; i < grid_.cell_columns(); ++i) insert_cell(i, j, x);
-        }
+        for_each_cell_of(all_cells(grid_), [&](int i, int j) { insert_cell(i, j, x); });
     }
 
     void insert_cell(int i, int j, const Points& x) {
@@ -325,7 +321,7 @@ private:
     std::vector<NodeVisit> visits_;
     std::vector<int> leaves_;    ///< numbers of nodes, row by row
     std::vector<int> queue_;     ///< nodes that a search visits
-    std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
+    std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most ranges of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;
     LeafCopies copies_;        ///< for refit: what each leaf was fitted to

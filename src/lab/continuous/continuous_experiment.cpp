@@ -89,8 +89,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
     const MovingCloth cloth{grid, x, x};
     Detector detector(grid);
     detector.tree->build(x);
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
+    const CellRange all = all_cells(grid);
     std::vector<ContactRow> expected;
     RandomWays ways;
     double discrete_missed = 0, continuous_missed = 0;
@@ -104,7 +103,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
             discrete = discrete || detector.touches(cloth, ball, 0);
             continuous = detector.touches(cloth, ball, step) || continuous;
             expected.clear();
-            find_contacts(cloth, ball, {.reach = step}, all, expected, Kernels::Plain);
+            find_contacts(cloth, ball, {.reach = step}, {&all, 1}, expected, Kernels::Plain);
             if (expected.size() != detector.contacts.size()) throw RunError("continuous: a tree misses a contact");
         }
         discrete_missed += !discrete;
