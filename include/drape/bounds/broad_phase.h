@@ -39,7 +39,7 @@ struct SearchLimit {
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
+    int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: as `make_quadtree_nodes` measured
     SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
     Kernels kernels = Kernels::Vector;  ///< of fits
