@@ -267,18 +267,16 @@ private:
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             volumes_[n] = Volume::start(patch_of(grid_, nodes_[n], x));
         }
-        for_each_cell_of(all_cells(grid_), [&](int i, int j) { insert_cell(i, j, x); });
-    }
-
-    void insert_cell(int i, int j, const Points& x) {
-        const int above = grid_.particle(i, j), below = grid_.particle(i, j + 1);
-        for (int n = 0;;) {
-            for (const int p : {above, above + 1, below, below + 1}) volumes_[at(n)].include(x.row(p).transpose());
-            const QuadtreeNode& node = nodes_[at(n)];
-            if (node.children == 0) return;
-            n = node.first_child;
-            while (!nodes_[at(n)].holds(i, j)) ++n;
-        }
+        for_each_cell_of(all_cells(grid_), [&](int i, int j) {
+            const int above = grid_.particle(i, j), below = grid_.particle(i, j + 1);
+            for (int n = 0;;) {
+                for (const int p : {above, above + 1, below, below + 1}) volumes_[at(n)].include(x.row(p).transpose());
+                const QuadtreeNode& node = nodes_[at(n)];
+                if (node.children == 0) return;
+                n = node.first_child;
+                while (!nodes_[at(n)].holds(i, j)) ++n;
+            }
+        });
     }
 
     Volume merged(const QuadtreeNode& node) const {
