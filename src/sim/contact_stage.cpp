@@ -5,7 +5,7 @@
 #include "body_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 
 namespace drape {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 #include "support/cloths.h"
 

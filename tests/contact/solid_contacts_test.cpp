@@ -10,7 +10,7 @@
 #include <random>
 
 #include "drape/base/exact_math.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 

@@ -8,8 +8,8 @@
 #include "drape/base/assert.h"
 #include "drape/bounds/bounding_volume.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/displacement.h"
 #include "drape/bounds/fold_test.h"
-#include "drape/bounds/leaf_copies.h"
 #include "drape/bounds/node_view.h"
 #include "drape/bounds/quadtree_nodes.h"
 
@@ -288,14 +288,15 @@ private:
     /// @par Cost O(particles) to see what has moved, and a merge of that
     void refit(const Points& x) {
         stale_.resize(nodes_.size());
+        copies_.resize(nodes_.size());
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !built_ || !(copies_.displacement(n, patch) <= slack_);
+                stale_[n] = !built_ || !(largest_displacement(patch, copies_[n]) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
-                copies_.take(n, patch);
+                copy_points(patch, copies_[n]);
             } else {
                 const auto first = stale_.begin() + node.first_child;
                 stale_[n] = std::find(first, first + node.children, true) != first + node.children;
@@ -322,7 +323,9 @@ private:
     std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most ranges of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;
-    LeafCopies copies_;        ///< for refit: what each leaf was fitted to
+    /// For refit: the particles that each leaf was last fitted to. Leaves share those on their borders, and may be
+    /// fitted at different times: each has its own copy.
+    std::vector<Points> copies_;
     std::vector<bool> stale_;  ///< for refit: volumes that have just changed
     Points held_;              ///< for a stale tree: what it was built from
 };

@@ -5,7 +5,7 @@
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 #include "lab/experiments.h"
 
