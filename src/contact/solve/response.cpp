@@ -103,13 +103,9 @@ ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real
                            .rows = rows,
                            .scratch = scratch()};
     prepare(problem);
-    const double before = kinetic_energy(bodies);
     const Sweeps sweeps = respond(problem);
     finish(problem);
-    return {.depth = update_depths(cloths, bodies, rows),
-            .residual = sweeps.residual,
-            .sweeps = sweeps.count,
-            .free_ball_work = before - kinetic_energy(bodies)};
+    return {.depth = update_depths(cloths, bodies, rows), .residual = sweeps.residual, .sweeps = sweeps.count};
 }
 
 double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<const Body> bodies) {
