@@ -13,10 +13,6 @@
 namespace drape {
 namespace {
 
-struct Ends {
-    Vec3 low, high;
-};
-
 /// Of several particles that are equally far out, the first counts.
 Vec3 farthest_particle(const Patch& patch, const Vec3& from) {
     Vec3 farthest = patch.at(0, 0);
@@ -27,7 +23,7 @@ Vec3 farthest_particle(const Patch& patch, const Vec3& from) {
 }
 
 /// The particles at both ends along a line of `dop_axes`; the first counts here too.
-Ends ends_along(const Patch& patch, int line) {
+std::array<Vec3, 2> ends_along(const Patch& patch, int line) {
     Vec3 low = patch.at(0, 0), high = low;
     for_each_particle(patch, [&](const Vec3& p) {
         if (dop_projection(line, p) < dop_projection(line, low)) low = p;
@@ -41,19 +37,11 @@ BoundingSphere sphere_about(const Patch& patch, const Vec3& centre) {
     return {centre, BoundingSphere::radius_of((farthest_particle(patch, centre) - centre).squaredNorm())};
 }
 
-/// One pass in which a sphere takes in, one after the other, the particles that stand out of it, each by as little as
-/// possible: with d = |p - c| > r, c += (d - r)/2 (p - c)/d and r += (d - r)/2. @cite ritter1990
-/// @return the centre of the grown sphere
-Vec3 grown_centre(const Patch& patch, BoundingSphere sphere) {
-    for_each_particle(patch, [&](const Vec3& p) {
-        const Vec3 outward = p - sphere.centre;
-        const Real square = outward.squaredNorm();
-        if (square <= sphere.radius * sphere.radius) return;
-        const Real distance = std::sqrt(square), beyond = (distance - sphere.radius) / 2;
-        sphere.centre += outward * (beyond / distance);
-        sphere.radius += beyond;
-    });
-    return sphere.centre;
+/// About the centre of a sphere that has taken in, one after the other, the particles that stand out of it.
+/// @cite ritter1990
+BoundingSphere sphere_grown_from(BoundingSphere sphere, const Patch& patch) {
+    for_each_particle(patch, [&](const Vec3& p) { sphere.include(p); });
+    return sphere_about(patch, sphere.centre);
 }
 
 /// c = (min x_p + max x_p) / 2
@@ -64,13 +52,13 @@ BoundingSphere fit_box_sphere(const Patch& patch) {
 
 /// Ends of the axes, the widest pair, then grown. @cite ritter1990
 BoundingSphere fit_ritter_sphere(const Patch& patch) {
-    Ends widest = ends_along(patch, 0);
-    for (const int line : {1, 2}) {
-        const Ends ends = ends_along(patch, line);
-        if ((ends.high - ends.low).squaredNorm() > (widest.high - widest.low).squaredNorm()) widest = ends;
+    BoundingSphere widest;
+    for (const int line : {0, 1, 2}) {
+        const auto [low, high] = ends_along(patch, line);
+        const Real radius = (high - low).norm() / 2;
+        if (line == 0 || radius > widest.radius) widest = {(low + high) / 2, radius};
     }
-    const BoundingSphere first{(widest.low + widest.high) / 2, (widest.high - widest.low).norm() / 2};
-    return sphere_about(patch, grown_centre(patch, first));
+    return sphere_grown_from(widest, patch);
 }
 
 /// In space, four points determine a sphere: a support never has more.
@@ -173,12 +161,10 @@ BoundingSphere fit_epos_sphere(const Patch& patch) {
     constexpr int count = 2 * lines;
     if (patch.particles() <= count) return fit_welzl_sphere(patch);
     Real x[count], y[count], z[count];
-    for (int line = 0; line < lines; ++line) {
-        const Ends ends = ends_along(patch, line);
-        int k = 2 * line;
-        for (const Vec3& p : {ends.low, ends.high}) x[k] = p[0], y[k] = p[1], z[k] = p[2], ++k;
+    for (int line = 0, k = 0; line < lines; ++line) {
+        for (const Vec3& p : ends_along(patch, line)) x[k] = p[0], y[k] = p[1], z[k] = p[2], ++k;
     }
-    return sphere_about(patch, grown_centre(patch, fit_welzl_sphere({x, y, z, count, 1, count})));
+    return sphere_grown_from(fit_welzl_sphere({x, y, z, count, 1, count}), patch);
 }
 
 BoundingSphere sphere_about_by_kernels(const Patch& patch, const Vec3& centre) {
