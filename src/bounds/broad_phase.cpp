@@ -29,7 +29,7 @@ public:
 
 private:
     TraversalStats all(Candidates& found) const {
-        list_all_cells(grid_, found.cells);
+        found.cells.assign(1, all_cells(grid_));
         found.stopped.clear();
         return {.candidates = grid_.cells()};
     }
@@ -45,11 +45,6 @@ TraversalStats& TraversalStats::operator+=(const TraversalStats& other) {
                              &Stats::candidates, &Stats::stopped})
         this->*count += other.*count;
     return *this;
-}
-
-void list_all_cells(const Grid& grid, std::vector<CellRun>& cells) {
-    cells.clear();
-    for (int j = 0; j < grid.cell_rows(); ++j) cells.push_back({j, 0, grid.cell_columns()});
 }
 
 std::unique_ptr<BroadPhase> make_broad_phase(const BroadPhaseParameters& parameters, const Grid& grid) {

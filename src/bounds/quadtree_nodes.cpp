@@ -15,14 +15,10 @@ int cut(int begin, int end, int leaf_cells) {
 
 }  // namespace
 
-int measured_leaf_cells(const Grid& grid) {
-    constexpr int large = 10'000;  // cells
-    return grid.cells() < large ? 7 : 15;
-}
-
 std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells) {
     DRAPE_ASSERT(leaf_cells >= 0);
-    if (leaf_cells == 0) leaf_cells = measured_leaf_cells(grid);
+    constexpr int large = 10'000;  // cells
+    if (leaf_cells == 0) leaf_cells = grid.cells() < large ? 7 : 15;
     std::vector<QuadtreeNode> nodes{{{0, 0, grid.cell_columns(), grid.cell_rows()}}};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
         const QuadtreeNode parent = nodes[n];

@@ -13,114 +13,52 @@
 namespace drape {
 namespace {
 
-struct Ends {
-    Vec3 low, high;
-};
-
-/// The passes over the particles, plain. Of several that are equally far out, the first counts.
-struct PlainPasses {
-    static Vec3 farthest(const Patch& patch, const Vec3& from) {
-        Vec3 farthest = patch.at(0, 0);
-        for_each_particle(patch, [&](const Vec3& p) {
-            if ((p - from).squaredNorm() > (farthest - from).squaredNorm()) farthest = p;
-        });
-        return farthest;
-    }
-
-    static Real largest_square(const Patch& patch, const Vec3& from) {
-        return (farthest(patch, from) - from).squaredNorm();
-    }
-
-    /// The particles at both ends along a line of `dop_axes`.
-    static Ends ends(const Patch& patch, int line) {
-        Vec3 low = patch.at(0, 0), high = low;
-        for_each_particle(patch, [&](const Vec3& p) {
-            if (dop_projection(line, p) < dop_projection(line, low)) low = p;
-            if (dop_projection(line, p) > dop_projection(line, high)) high = p;
-        });
-        return {low, high};
-    }
-
-    static Ends box(const Patch& patch) {
-        const Aabb box = Aabb::fit(patch);
-        return {box.low, box.high};
-    }
-
-    static BoundingSphere centroid_sphere(const Patch& patch) { return BoundingSphere::fit(patch); }
-};
-
-/// The same by vector kernels.
-struct VectorPasses {
-    static Vec3 particle(const Patch& patch, kernels::ParticleIndex at) {
-        return {patch.x[at], patch.y[at], patch.z[at]};
-    }
-
-    static Vec3 farthest(const Patch& patch, const Vec3& from) {
-        return particle(patch, kernels::farthest_particle(patch, from));
-    }
-
-    static Real largest_square(const Patch& patch, const Vec3& from) {
-        Real square = 0;
-        kernels::raise_to_farthest(patch, &from, 1, &square);
-        return square;
-    }
-
-    static Ends ends(const Patch& patch, int line) {
-        const kernels::Extremes found = kernels::extreme_particles(patch, dop_axes[static_cast<std::size_t>(line)]);
-        return {particle(patch, found.low), particle(patch, found.high)};
-    }
-
-    static Ends box(const Patch& patch) {
-        Ends box;
-        kernels::dop_extents(patch, 3, box.low.data(), box.high.data());
-        return box;
-    }
-
-    static BoundingSphere centroid_sphere(const Patch& patch) {
-        if (patch.rows == 1) return BoundingSphere::fit(patch);
-        const Vec3 centre = kernels::mean(patch, kernels::sums(patch));
-        return {centre, BoundingSphere::radius_of(largest_square(patch, centre))};
-    }
-};
-
-/// About a centre through the farthest particle.
-template <class Passes>
-BoundingSphere sphere_about(const Patch& patch, const Vec3& centre) {
-    return {centre, BoundingSphere::radius_of(Passes::largest_square(patch, centre))};
+/// Of several particles that are equally far out, the first counts.
+Vec3 farthest_particle(const Patch& patch, const Vec3& from) {
+    Vec3 farthest = patch.at(0, 0);
+    for_each_particle(patch, [&](const Vec3& p) {
+        if ((p - from).squaredNorm() > (farthest - from).squaredNorm()) farthest = p;
+    });
+    return farthest;
 }
 
-/// One pass in which a sphere takes in, one after the other, the particles that stand out of it, each by as little as
-/// possible: with d = |p - c| > r, c += (d - r)/2 (p - c)/d and r += (d - r)/2. @cite ritter1990
-/// @return the centre of the grown sphere
-Vec3 grown_centre(const Patch& patch, BoundingSphere sphere) {
+/// The particles at both ends along a line of `dop_axes`; the first counts here too.
+std::array<Vec3, 2> ends_along(const Patch& patch, int line) {
+    Vec3 low = patch.at(0, 0), high = low;
     for_each_particle(patch, [&](const Vec3& p) {
-        const Vec3 outward = p - sphere.centre;
-        const Real square = outward.squaredNorm();
-        if (square <= sphere.radius * sphere.radius) return;
-        const Real distance = std::sqrt(square), beyond = (distance - sphere.radius) / 2;
-        sphere.centre += outward * (beyond / distance);
-        sphere.radius += beyond;
+        if (dop_projection(line, p) < dop_projection(line, low)) low = p;
+        if (dop_projection(line, p) > dop_projection(line, high)) high = p;
     });
-    return sphere.centre;
+    return {low, high};
+}
+
+/// About a centre through the farthest particle.
+BoundingSphere sphere_about(const Patch& patch, const Vec3& centre) {
+    return {centre, BoundingSphere::radius_of((farthest_particle(patch, centre) - centre).squaredNorm())};
+}
+
+/// About the centre of a sphere that has taken in, one after the other, the particles that stand out of it.
+/// @cite ritter1990
+BoundingSphere sphere_grown_from(BoundingSphere sphere, const Patch& patch) {
+    for_each_particle(patch, [&](const Vec3& p) { sphere.include(p); });
+    return sphere_about(patch, sphere.centre);
 }
 
 /// c = (min x_p + max x_p) / 2
-template <class Passes>
 BoundingSphere fit_box_sphere(const Patch& patch) {
-    const Ends box = Passes::box(patch);
-    return sphere_about<Passes>(patch, (box.low + box.high) / 2);
+    const Aabb box = Aabb::fit(patch);
+    return sphere_about(patch, (box.low + box.high) / 2);
 }
 
 /// Ends of the axes, the widest pair, then grown. @cite ritter1990
-template <class Passes>
 BoundingSphere fit_ritter_sphere(const Patch& patch) {
-    Ends widest = Passes::ends(patch, 0);
-    for (const int line : {1, 2}) {
-        const Ends ends = Passes::ends(patch, line);
-        if ((ends.high - ends.low).squaredNorm() > (widest.high - widest.low).squaredNorm()) widest = ends;
+    BoundingSphere widest;
+    for (const int line : {0, 1, 2}) {
+        const auto [low, high] = ends_along(patch, line);
+        const Real radius = (high - low).norm() / 2;
+        if (line == 0 || radius > widest.radius) widest = {(low + high) / 2, radius};
     }
-    const BoundingSphere first{(widest.low + widest.high) / 2, (widest.high - widest.low).norm() / 2};
-    return sphere_about<Passes>(patch, grown_centre(patch, first));
+    return sphere_grown_from(widest, patch);
 }
 
 /// In space, four points determine a sphere: a support never has more.
@@ -197,7 +135,6 @@ SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
 /// that is farthest from its centre, if it stands out, is on the smallest sphere about itself and the support, which is
 /// solved next; its radius can only grow, and ends when nothing stands out. @cite welzl1991 @cite gaertner1999
 /// @par Cost O(particles) a pass; about ten passes; no heap
-template <class Passes>
 Vec3 smallest_sphere_centre(const Patch& patch) {
     constexpr Real rounding = 8 * std::numeric_limits<Real>::epsilon();
     constexpr int patience = 16;  // passes in which rounding may hide that the sphere gets better
@@ -206,7 +143,7 @@ Vec3 smallest_sphere_centre(const Patch& patch) {
     Vec3 best = sphere.centre;
     Real least = std::numeric_limits<Real>::max(), largest = 0;  // the smallest sphere's radius is between, squared
     for (int waited = 0; waited < patience; ++waited) {
-        const Vec3 farthest = Passes::farthest(patch, sphere.centre);
+        const Vec3 farthest = farthest_particle(patch, sphere.centre);
         const Real square = (farthest - sphere.centre).squaredNorm();
         if (square < least) least = square, best = sphere.centre, waited = 0;
         if (square <= sphere.square * (1 + rounding)) break;
@@ -216,41 +153,49 @@ Vec3 smallest_sphere_centre(const Patch& patch) {
     return best;
 }
 
-template <class Passes>
-BoundingSphere fit_welzl_sphere(const Patch& patch) {
-    return sphere_about<Passes>(patch, smallest_sphere_centre<Passes>(patch));
-}
+BoundingSphere fit_welzl_sphere(const Patch& patch) { return sphere_about(patch, smallest_sphere_centre(patch)); }
 
 /// The smallest sphere about the ends of the lines, then grown. @cite larsson2008
-template <class Passes, int lines>
+template <int lines>
 BoundingSphere fit_epos_sphere(const Patch& patch) {
     constexpr int count = 2 * lines;
-    if (patch.particles() <= count) return fit_welzl_sphere<Passes>(patch);
+    if (patch.particles() <= count) return fit_welzl_sphere(patch);
     Real x[count], y[count], z[count];
-    for (int line = 0; line < lines; ++line) {
-        const Ends ends = Passes::ends(patch, line);
-        int k = 2 * line;
-        for (const Vec3& p : {ends.low, ends.high}) x[k] = p[0], y[k] = p[1], z[k] = p[2], ++k;
+    for (int line = 0, k = 0; line < lines; ++line) {
+        for (const Vec3& p : ends_along(patch, line)) x[k] = p[0], y[k] = p[1], z[k] = p[2], ++k;
     }
-    return sphere_about<Passes>(patch, grown_centre(patch, fit_welzl_sphere<Passes>({x, y, z, count, 1, count})));
+    return sphere_grown_from(fit_welzl_sphere({x, y, z, count, 1, count}), patch);
 }
 
-template <class Passes>
-BoundingSphere (*fit_of(SphereFit kind))(const Patch&) {
-    // In the order of the kinds
-    constexpr std::array fits{Passes::centroid_sphere,    fit_box_sphere<Passes>,     fit_ritter_sphere<Passes>,
-                              fit_epos_sphere<Passes, 3>, fit_epos_sphere<Passes, 7>, fit_epos_sphere<Passes, 13>,
-                              fit_welzl_sphere<Passes>};
-    static_assert(fits.size() == enum_count<SphereFit>, "every kind has its fit");
-    return fits[static_cast<std::size_t>(kind)];
+BoundingSphere sphere_about_by_kernels(const Patch& patch, const Vec3& centre) {
+    Real square = 0;
+    kernels::raise_to_farthest(patch, &centre, 1, &square);
+    return {centre, BoundingSphere::radius_of(square)};
+}
+
+BoundingSphere fit_centroid_by_kernels(const Patch& patch) {
+    if (patch.rows == 1) return BoundingSphere::fit(patch);
+    return sphere_about_by_kernels(patch, kernels::mean(patch, kernels::sums(patch)));
+}
+
+BoundingSphere fit_box_by_kernels(const Patch& patch) {
+    Vec3 low, high;
+    kernels::dop_extents(patch, 3, low.data(), high.data());
+    return sphere_about_by_kernels(patch, (low + high) / 2);
 }
 
 }  // namespace
 
 BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&) {
-    return kernels == Kernels::Plain ? fit_of<PlainPasses>(kind) : fit_of<VectorPasses>(kind);
+    // In the order of the kinds
+    constexpr std::array by_kernels{fit_centroid_by_kernels, fit_box_by_kernels};
+    constexpr std::array plain{BoundingSphere::fit, fit_box_sphere,      fit_ritter_sphere, fit_epos_sphere<3>,
+                               fit_epos_sphere<7>,  fit_epos_sphere<13>, fit_welzl_sphere};
+    static_assert(plain.size() == enum_count<SphereFit>, "every kind has its fit");
+    const auto k = static_cast<std::size_t>(kind);
+    return kernels == Kernels::Vector && k < by_kernels.size() ? by_kernels[k] : plain[k];
 }
 
-BoundingSphere fit_smallest_sphere(const Patch& patch) { return fit_welzl_sphere<PlainPasses>(patch); }
+BoundingSphere fit_smallest_sphere(const Patch& patch) { return fit_welzl_sphere(patch); }
 
 }  // namespace drape

@@ -12,7 +12,7 @@ namespace drape {
 /// The triangle whose task it is to report a particle: one of those it is a corner of, for each particle the same.
 inline int owner_of(const Grid& grid, int particle) {
     const int i = particle % grid.nx, j = particle / grid.nx;
-    const int cell = std::min(j, grid.ny - 2) * grid.cell_columns() + std::min(i, grid.nx - 2);
+    const int cell = grid.cell(std::min(i, grid.nx - 2), std::min(j, grid.ny - 2));
     return 2 * cell + (i == grid.nx - 1 && j == grid.ny - 1 ? 1 : 0);
 }
 

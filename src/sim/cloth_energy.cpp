@@ -18,7 +18,7 @@ constexpr double pause = 0.1;
 
 double allowed(double lift, double in_motion) { return of_lift * lift + of_motion * in_motion; }
 
-/// The smallest range that holds all particles that are pushed.
+/// The smallest range that holds all particles that are pushed; empty if none is.
 GridRange range_of(const Pushes& pushes, const Grid& grid) {
     GridRange range{grid.nx, 0, grid.ny, 0};
     const auto include = [&](int particle) {
@@ -36,18 +36,13 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
     return range;
 }
 
-/// Whether a contact pushes a cloth.
-bool moves(const ContactRow& row, int cloth) {
-    return std::ranges::any_of(row.moved(), [&](const RowParticle& p) { return p.cloth == cloth; });
-}
-
 /// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
 /// its push, and the springs of a particle answer with four of each kind, at both ends. What another cloth gives, or
 /// another part of this one, no bound tells.
 double max_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
     for (const ContactRow& row : pushes.rows) {
-        if (!moves(row, pushes.cloth)) continue;
+        if (std::ranges::none_of(row.moved(), [&](const RowParticle& p) { return p.cloth == pushes.cloth; })) continue;
         if (row.kind == RowKind::Pair) return std::numeric_limits<double>::infinity();
         if (pushes.known) continue;
         const double push = std::max(static_cast<double>(correction_of(row, pushes.bodies)), 0.0);
@@ -155,12 +150,10 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int grabbed, C
 
 /// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
-    pushed_ = {0, 0, 0, 0};
+    pushed_ = range_of(pushes, model.grid);
     loss_ = &EnergyBalance::contact;
     known_ = pushes.known;
-    if (std::ranges::none_of(pushes.rows, [&](const ContactRow& row) { return moves(row, pushes.cloth); })) return;
     max_push_work_ = max_push_work(model, pushes);
-    pushed_ = measures_pushes() ? range_of(pushes, model.grid) : GridRange{0, model.grid.nx, 0, model.grid.ny};
     before_ = pushed_flow(model, state);
 }
 
@@ -173,7 +166,7 @@ void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) 
 }
 
 void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
-    if (pushed_.first_column >= pushed_.end_column) return;
+    if (!is_pushed()) return;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_.energy.total();
     const bool measured = max_push_work_ > watch_.small_work();
@@ -183,7 +176,8 @@ void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
 
 /// Of what is being pushed, where it is to be measured.
 EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {
-    if (!measures_pushes()) return {};
+    const bool measured = ledger_ || max_push_work_ > watch_.small_work();
+    if (!measured || !is_pushed()) return {};
     return compute_energy_around(model, state.x, state.v, pushed_, kernels_);
 }
 

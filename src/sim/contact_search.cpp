@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 
 namespace drape {
 
@@ -43,10 +43,10 @@ TraversalStats ContactSearch::traverse(const Body& body, std::size_t number, Rea
         const auto distance = [&body](const Vec3& p) { return body.measure(p).distance; };
         stats = hierarchy_->query_near(distance, margin, candidates_[number]);
     } else {
-        list_all_cells(grid_, cells);
+        cells.assign(1, all_cells(grid_));
     }
     // In the same order whatever found them, so that contacts are answered in the same order
-    std::ranges::sort(cells);
+    std::ranges::sort(cells, {}, &CellRange::first);
     std::ranges::sort(stopped, {}, &StoppedNode::cell);
     return stats;
 }

@@ -5,7 +5,7 @@
 #include "body_motion.h"
 #include "drape/base/assert.h"
 #include "drape/base/stopwatch.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 
 namespace drape {
@@ -132,16 +132,11 @@ void ContactStage::warm_start() {
     go_on(Stage::Begun, Stage::WarmStarted);
     const std::span<const ContactRow> rows = warm_start_.rows();
     if (std::ranges::none_of(rows, &ContactRow::has_impulse)) return;
-    push(rows, true, [this] {
-        const double balls_before = kinetic_energy(now_.bodies);
-        warm_start_.give(now_.cloths, now_.bodies);
-        return balls_before - kinetic_energy(now_.bodies);
-    });
+    push(rows, true, [this] { warm_start_.give(now_.cloths, now_.bodies); });
 }
 
 /// @param known the impulses were given in the substep before
-/// @param give pushes cloths and bodies; returns the work by all free balls, which the first cloth that touches one
-/// enters [J]
+/// @param give pushes cloths and bodies
 template <class Give>
 void ContactStage::push(std::span<const ContactRow> rows, bool known, Give give) {
     const std::span<Cloth> cloths = now_.moving.cloths;
@@ -149,7 +144,10 @@ void ContactStage::push(std::span<const ContactRow> rows, bool known, Give give)
         Cloth& cloth = cloths[c];
         cloth.energy.before_pushes(cloth.model, cloth.state, {rows, static_cast<int>(c), now_.bodies, known});
     }
-    double free_work = give();
+    const double balls_before = kinetic_energy(now_.bodies);
+    give();
+    // The work by all free balls, which the first cloth that touches one enters [J]
+    double free_work = balls_before - kinetic_energy(now_.bodies);
     for (std::size_t b = 0; b < now_.moving.balls.size(); ++b) now_.moving.balls[b] = now_.bodies[b];
     for (std::size_t c = 0; c < cloths.size(); ++c) {
         Cloth& cloth = cloths[c];
@@ -247,10 +245,7 @@ void ContactStage::solve(StepReport& report) {
     go_on(Stage::Found, Stage::Solved);
     Stopwatch watch;
     ResponseReport left;
-    push(rows_, false, [&] {
-        left = solver_.resolve(now_.response, now_.h, now_.cloths, now_.bodies, rows_);
-        return left.free_ball_work;
-    });
+    push(rows_, false, [&] { left = solver_.resolve(now_.response, now_.h, now_.cloths, now_.bodies, rows_); });
     report.penetration = static_cast<double>(left.depth);
     report.contact_residual = std::max(report.contact_residual, static_cast<double>(left.residual));
     report.contact_sweeps += left.sweeps;

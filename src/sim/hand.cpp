@@ -12,10 +12,6 @@
 namespace drape {
 namespace {
 
-/// How fast the hand pulls, and the time in which it closes a small gap.
-constexpr Real hand_speed = 3;         // m/s
-constexpr Real hand_lag = Real(0.03);  // s
-
 /// The most that the hand pulls by, of the cloth's weight: it lifts all of the cloth, and speeds it up by twice
 /// gravity. Beside the hand a shipped cloth is then stretched by a sixth.
 constexpr Real hand_weights = 3;

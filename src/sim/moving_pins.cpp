@@ -4,19 +4,19 @@
 #include <algorithm>
 
 #include "body_motion.h"
+#include "drape/sim/hand.h"
 
 namespace drape {
 namespace {
 
-/// How a pin that has left its way goes back: by the hand's speed and the time in which that closes a small gap. What
-/// rounding leaves is no gap.
-constexpr Real return_speed = 3, return_lag = Real(0.03);  // m/s, s
-constexpr Real min_gap = Real(1e-6);                       // m
+/// What rounding leaves is no gap [m].
+constexpr Real min_gap = Real(1e-6);
 
+/// How a pin that has left its way goes back: no faster than the hand would lead it.
 Vec3 way_back(const Vec3& gap, Real h) {
     const Real distance = gap.norm();
     if (distance <= min_gap) return Vec3::Zero();
-    return std::min(1 / std::max(return_lag, h), return_speed / distance) * gap;
+    return std::min(1 / std::max(hand_lag, h), hand_speed / distance) * gap;
 }
 
 /// A turn about the direction of a vector by as many whole turns as it is long.

@@ -36,12 +36,18 @@ Real plausible_speed(const Cloth& cloth, std::span<const Ball> balls, const Sett
     return speed;
 }
 
-/// Adds the spring of the particle that is the farthest from its rest length, or one without a length.
-void add_spring(const ClothModel& model, const Points& x, Divergence& found) {
+/// Names a particle, and of its springs the one that is the farthest from its rest length, or one without a length.
+Divergence diverged_at(const Cloth& cloth, Eigen::Index particle, const std::string& how) {
+    const ClothModel& model = cloth.model;
+    const Points& x = cloth.state.x;
+    const int p = static_cast<int>(particle), columns = model.grid.nx;
+    Divergence found{"particle " + std::to_string(p) + " (column " + std::to_string(p % columns) + ", row " +
+                         std::to_string(p / columns) + ") " + how,
+                     p};
     Real worst = -1;
     std::string text;
-    for_each_spring_at(model, found.particle, [&](const SpringStencil& springs, int other) {
-        const Real ratio = (x.row(found.particle) - x.row(other)).norm() / springs.rest_length;
+    for_each_spring_at(model, p, [&](const SpringStencil& springs, int other) {
+        const Real ratio = (x.row(p) - x.row(other)).norm() / springs.rest_length;
         const Real off = std::isfinite(ratio) ? std::abs(ratio - 1) : std::numeric_limits<Real>::infinity();
         if (springs.law == SpringLaw{} || !(off > worst)) return;
         worst = off;
@@ -50,14 +56,6 @@ void add_spring(const ClothModel& model, const Points& x, Divergence& found) {
                (std::isfinite(ratio) ? " at " + real_text(static_cast<double>(ratio), 3) + " x its rest length" : "");
     });
     found.clause += text;
-}
-
-Divergence diverged_at(const Cloth& cloth, Eigen::Index particle, const std::string& how) {
-    const int p = static_cast<int>(particle), columns = cloth.model.grid.nx;
-    Divergence found{"particle " + std::to_string(p) + " (column " + std::to_string(p % columns) + ", row " +
-                         std::to_string(p / columns) + ") " + how,
-                     p};
-    add_spring(cloth.model, cloth.state.x, found);
     return found;
 }
 
@@ -129,13 +127,6 @@ std::string stretch_error(const StepReport& report, std::span<const Cloth> cloth
     return text;
 }
 
-void mark_gain(const EnergyWatch& watch, IntegratorKind integrator, StepReport& report) {
-    report.energy_excess = std::max(report.energy_excess, watch.excess());
-    if (!watch.gained() || report.energy_gain_step > 0) return;
-    report.energy_gain_step = report.step + 1;
-    report.gained_by = integrator;
-}
-
 /// Clauses with semicolons between, but for those that are empty.
 std::string joined(std::initializer_list<std::string> clauses) {
     std::string text;
@@ -174,8 +165,12 @@ std::string Simulation::check_substep(Real h) {
                    std::string(name_of(solver.integrator)) + "). " + limit_advice() + "First: " + found.clause;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, min_pause);
-        mark_gain(cloth.energy.watch(), solver.integrator, report_);
+        report_.energy_excess = std::max(report_.energy_excess, cloth.energy.watch().excess());
         gained = gained || cloth.energy.watch().gained();
+        if (gained && report_.energy_gain_step == 0) {
+            report_.energy_gain_step = report_.step + 1;
+            report_.gained_by = solver.integrator;
+        }
     }
     if (solver.on_unstable != OnUnstable::Stop) return {};
     if (report_.solve.unconverged > 0) return solve_error(solver.integrator, report_);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 
 namespace drape {
 namespace {

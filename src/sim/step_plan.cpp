@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "body_motion.h"
 #include "drape/base/numbers.h"
@@ -40,69 +41,26 @@ StepLimit shortest_limit(std::span<const Cloth> cloths, const Settings& settings
     return shortest;
 }
 
-/// Of the lightest free ball; 0: there is none [1/kg].
-Real greatest_inverse_mass(const Settings& settings) {
-    Real greatest = 0;
-    for (const BallSettings& ball : settings.balls) greatest = std::max(greatest, inverse_mass_of(ball));
-    return greatest;
-}
+/// The longest stable substep of the penalty where it pushes a particle.
+struct PenaltyLimit {
+    double step;  ///< [s]
+    Real mass;    ///< that it pushes: the particle's, less where a free ball gives way [kg]
+};
 
-/// That a penalty pushes: a particle's, less where a free ball gives way [kg].
-Real lightest_mass(const Settings& settings, const ClothModel& model) {
-    return 1 / (1 / model.particle_mass + greatest_inverse_mass(settings));
-}
-
-bool has_bodies(const Settings& settings) { return !settings.balls.empty() || !settings.solids.empty(); }
-
-/// The stiffest damper is where least bounces.
-Real min_restitution(const Settings& settings) {
-    Real least = 1;
-    if (has_bodies(settings)) least = settings.contact.restitution;
-    if (settings.ground.solid) least = std::min(least, settings.ground.restitution);
-    return least;
-}
-
-bool has_penalties(ResponseKind kind) {
-    switch (kind) {
-        case ResponseKind::Penalty:
-        case ResponseKind::Hybrid:
-            return true;
-        case ResponseKind::Projection:
-        case ResponseKind::Impulse:
-            break;
-    }
-    return false;
-}
-
-bool pushes_by_penalty(const Settings& settings) {
-    return has_penalties(settings.contact.response) && (has_bodies(settings) || settings.ground.solid);
-}
-
-/// Of a substep [s].
-double penalty_limit(const Settings& settings, const ClothModel& model) {
-    const Real mass = lightest_mass(settings, model);
-    return static_cast<double>(penalty_step_limit(settings.contact.stiffness, min_restitution(settings), 1 / mass,
-                                                  displacement_factor(settings.solver.integrator)));
-}
-
-/// How far two bodies can approach each other in an undivided step.
-/// @param speed of both together [m/s]
-Real displacement_within_step(const Settings& settings, Real speed) {
-    const auto dt = static_cast<Real>(settings.solver.dt);
-    return (speed + gravity_of(settings).norm() * dt) * dt;
-}
-
-Aabb box_of(const Cloth& cloth) { return {cloth.state.x.colwise().minCoeff(), cloth.state.x.colwise().maxCoeff()}; }
-
-/// How far from a particle the cells beside it may be, though they are drawn out to twice their size [m].
-Real cell_of(const Cloth& cloth) { return cloth.model.hx + cloth.model.hy; }
-
-Real greatest_speed(const Cloth& cloth) { return std::sqrt(cloth.state.v.rowwise().squaredNorm().maxCoeff()); }
-
-/// Of a ball under the keys, the speed that a key gives it [m/s].
-Real speed_of(const Settings& settings, std::span<const Ball> balls, std::size_t number) {
-    const BallSettings& ball = settings.balls[number];
-    return std::max(balls[number].velocity.norm(), ball.motion == BallMotion::Keys ? ball.speed : Real(0));
+/// None where nothing pushes by a penalty.
+std::optional<PenaltyLimit> penalty_limit(const Settings& settings, const ClothModel& model) {
+    const ContactSettings& contact = settings.contact;
+    const bool has_bodies = !settings.balls.empty() || !settings.solids.empty();
+    if (!has_penalties(contact.response) || !(has_bodies || settings.ground.solid)) return std::nullopt;
+    // The stiffest damper is where least bounces
+    Real restitution = has_bodies ? contact.restitution : Real(1);
+    if (settings.ground.solid) restitution = std::min(restitution, settings.ground.restitution);
+    Real of_lightest = 0;  // free ball [1/kg]
+    for (const BallSettings& ball : settings.balls) of_lightest = std::max(of_lightest, inverse_mass_of(ball));
+    const Real mass = 1 / (1 / model.particle_mass + of_lightest);
+    const Real factor = displacement_factor(settings.solver.integrator);
+    return PenaltyLimit{static_cast<double>(penalty_step_limit(contact.stiffness, restitution, 1 / mass, factor)),
+                        mass};
 }
 
 /// In how many substeps a step is made: as planned, or more under an implicit method while cloth or balls touch. Where
@@ -121,20 +79,25 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
 /// @par Cost O(particles), and O(particles) more for each ball that fast cloth may come to
 int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
     if (balls.empty() || settings.contact.continuous == Continuous::Never) return 1;
+    const auto dt = static_cast<Real>(settings.solver.dt);
+    const Real of_gravity = gravity_of(settings).norm() * dt;
     double halves = 1;
     for (const Cloth& cloth : cloths) {
-        const Aabb box = box_of(cloth);
-        const Real speed = greatest_speed(cloth);
+        const Points &x = cloth.state.x, &v = cloth.state.v;
+        const Aabb box{x.colwise().minCoeff(), x.colwise().maxCoeff()};
+        const Real speed = std::sqrt(v.rowwise().squaredNorm().maxCoeff());
+        // So far from a particle the cells beside it may be, though they are drawn out to twice their size
+        const Real cell = cloth.model.hx + cloth.model.hy;
         for (std::size_t b = 0; b < balls.size(); ++b) {
             const Ball& ball = balls[b];
-            const Real own = speed_of(settings, balls, b), radius = ball.radius + settings.contact.thickness;
-            const auto way = [&](Real of_cloth) { return displacement_within_step(settings, own + of_cloth); };
+            const Real of_keys = settings.balls[b].motion == BallMotion::Keys ? settings.balls[b].speed : Real(0);
+            const Real own = std::max(ball.velocity.norm(), of_keys), radius = ball.radius + settings.contact.thickness;
+            const auto way = [&](Real of_cloth) { return (own + of_cloth + of_gravity) * dt; };
             if (2 * way(speed) <= radius || !Aabb{ball.centre, ball.centre}.comes_within(box, radius + way(speed)))
                 continue;
-            for (Eigen::Index p = 0; p < cloth.state.x.rows(); ++p) {
-                const Real moved = way(cloth.state.v.row(p).norm());
-                const bool meets =
-                    (cloth.state.x.row(p).transpose() - ball.centre).norm() <= radius + cell_of(cloth) + moved;
+            for (Eigen::Index p = 0; p < x.rows(); ++p) {
+                const Real moved = way(v.row(p).norm());
+                const bool meets = (x.row(p).transpose() - ball.centre).norm() <= radius + cell + moved;
                 if (meets) halves = std::max(halves, static_cast<double>(2 * moved / radius));
             }
         }
@@ -166,15 +129,14 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
 /// one line; empty if it is not.
 /// @param planned substeps of a step without contact
 std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
-    if (!pushes_by_penalty(settings)) return {};
     const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
     for (const Cloth& cloth : cloths) {
-        const double ratio = substep / penalty_limit(settings, cloth.model);
-        if (!(ratio > 1)) continue;
-        return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(ratio, 3) +
+        const std::optional<PenaltyLimit> limit = penalty_limit(settings, cloth.model);
+        if (!limit || !(substep / limit->step > 1)) continue;
+        return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(substep / limit->step, 3) +
                " times the step limit of the penalty, contact.stiffness = " +
                real_text(static_cast<double>(settings.contact.stiffness), 4) + " N/m on " +
-               real_text(static_cast<double>(1e3 * lightest_mass(settings, cloth.model)), 3) + " g";
+               real_text(static_cast<double>(1e3 * limit->mass), 3) + " g";
     }
     return {};
 }
@@ -243,8 +205,8 @@ double Simulation::longest_step() const {
     // Under an implicit method contact has substeps of its own
     const double in_contact = has_step_limit(settings_.solver.integrator) ? none : settings_.contact.longest_step;
     for (const Cloth& cloth : cloths_) {
-        const double limit = pushes_by_penalty(settings_) ? penalty_limit(settings_, cloth.model) : none;
-        if (limit < in_contact) longest = std::min(longest, limit);
+        const std::optional<PenaltyLimit> penalty = penalty_limit(settings_, cloth.model);
+        if (penalty && penalty->step < in_contact) longest = std::min(longest, penalty->step);
     }
     return 0.89 * longest < shortest_that_may_be_set() ? 0 : longest;  // 0.9 of it is what is offered
 }
@@ -257,7 +219,7 @@ std::string Simulation::limit_advice() const {
     if (longest <= 0) {
         return "No time step of " + std::string(name_of(settings_.solver.integrator)) +
                " that may be set is stable here: more damping, more mass or softer springs" +
-               (pushes_by_penalty(settings_) ? ", contact.stiffness included, help. " : " help. ");
+               (penalty_limit(settings_, cloths_[0].model) ? ", contact.stiffness included, help. " : " help. ");
     }
     if (!(substep > longest)) return {};
     // Rounded to no more than the limit

@@ -36,7 +36,7 @@ TEST(SphereQuadtree, CountsAndShowsWhatItDoes) {
     EXPECT_EQ(stats.visited, 5);
     EXPECT_EQ(stats.leaves, 1);
     EXPECT_EQ(stats.candidates, 16);
-    EXPECT_EQ(found.cells.size(), 4u) << "a run for each of its rows";
+    EXPECT_EQ(found.cells.size(), 4u) << "a range for each of its rows";
 
     std::vector<NodeView> views;
     EXPECT_EQ(tree.levels(), 2);

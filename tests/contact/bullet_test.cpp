@@ -4,7 +4,7 @@
 
 #include "drape/base/exact_math.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 #include "support/containment.h"
 

@@ -121,8 +121,7 @@ TEST(ClosestPoint, IsExactToRoundingForEveryTriangle) {
 // A cloth of one cell, so thin that its triangles were taken for their edges, or a point inside for another
 TEST(TouchedTriangles, OfANeedleAreThoseWithinTheRadius) {
     const Grid grid{2, 2};
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
+    const std::vector<CellRange> all{all_cells(grid)};
     Needles needle;
     std::vector<int> touched;
     std::vector<ContactRow> contacts;

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 #include "support/cloths.h"
 
@@ -35,7 +35,7 @@ public:
         const Real reach = moved > 0 ? moved + largest_displacement(x, before) : Real(0);
         for (Way* way : {&vector_, &plain_}) {
             way->tree->query(grown(ball, thickness_ + 2 * reach), way->found);
-            std::ranges::sort(way->found.cells);
+            std::ranges::sort(way->found.cells, {}, &CellRange::first);
             way->contacts.clear();
         }
         for (Way* way : {&vector_, &plain_}) {
@@ -132,8 +132,7 @@ TEST(PlainCore, FindsWhatTheKernelsFindBesidePositionsThatAreNoNumbers) {
     const Grid grid{40, 16};
     std::mt19937 random(57);
     std::uniform_real_distribution<Real> unit(0, 1);
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
+    const std::vector<CellRange> all{all_cells(grid)};
     Points x(grid.particles(), 3);
     for (int p = 0; p < grid.particles(); ++p) {
         const int i = p % grid.nx, j = p / grid.nx;

@@ -19,7 +19,7 @@ struct Floor {
     Surface surface{.friction = 0};
     std::vector<Ball> balls{{.centre = Vec3(0, -floor_radius, 0), .radius = floor_radius}};
     std::vector<ContactRow> contacts;
-    std::vector<CellRun> cells;
+    std::vector<CellRange> cells;
     ContactSolver solver;
     Real deepest = 0;
 
@@ -33,7 +33,7 @@ struct Floor {
         model = make_cloth_model(cloth);
         state = make_rest_state(cloth);
         before = state.x;
-        list_all_cells(model.grid, cells);
+        cells.assign(1, all_cells(model.grid));
     }
 
     void respond() {
@@ -82,7 +82,8 @@ TEST(Response, TakesTrianglesOutOfTheBallVerticesAndInteriorsAlike) {
     for (int t = 0; t < floor.model.grid.triangles(); ++t) {
         std::vector<ContactRow> left;
         const int columns = floor.model.grid.cell_columns();
-        const CellRun cell{t / 2 / columns, t / 2 % columns, 1};
+        const int i = t / 2 % columns, j = t / 2 / columns;
+        const CellRange cell{i, j, i + 1, j + 1};
         find_contacts({floor.model.grid, floor.before, floor.state.x}, floor.balls[0], {}, std::span(&cell, 1), left,
                       Kernels::Vector);
         for (const ContactRow& contact : left) EXPECT_LT(contact.depth, 1e-2 * 0.02);

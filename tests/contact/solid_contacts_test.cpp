@@ -10,7 +10,7 @@
 #include <random>
 
 #include "drape/base/exact_math.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "support/cloths.h"
 #include "support/containment.h"
 
@@ -31,11 +31,7 @@ Points sheet(const Grid& grid, Real height, Real crumple, std::mt19937& random) 
     return x;
 }
 
-std::vector<CellRun> all_cells_of(const Grid& grid) {
-    std::vector<CellRun> cells;
-    list_all_cells(grid, cells);
-    return cells;
-}
+std::vector<CellRange> all_cells_of(const Grid& grid) { return {all_cells(grid)}; }
 
 /// Right-angled triangles, and some with equal sides.
 TEST(SolidContacts, AnEdgeOfABoxUnderTheMiddleOfTrianglesIsFound) {
@@ -92,7 +88,7 @@ TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForceAndPrunes) {
         const Points x = test::random_cloth(grid, random);
         const Real bottom = x.col(1).minCoeff(), part = Real(0.05) * static_cast<Real>(trial - 2);
         const Real height = bottom + part * (x.col(1).maxCoeff() - bottom) - thickness;
-        const auto find = [&](bool by_box, const std::vector<CellRun>& cells) {
+        const auto find = [&](bool by_box, const std::vector<CellRange>& cells) {
             std::vector<ContactRow> contacts;
             if (by_box) SolidSearch().find({grid, x, x}, box, {0, thickness, 0}, cells, contacts);
             if (!by_box) find_ground_contacts({grid, x, x}, height, {0, thickness}, cells, contacts);
@@ -110,7 +106,7 @@ TEST(SolidContacts, EveryHierarchyFindsTheSameAsBruteForceAndPrunes) {
                     const auto distance = [&](const Vec3& p) { return by_box ? box.distance(p) : p.y() - height; };
                     Candidates near;
                     pruned += tree->query_near(distance, thickness, near).pruned;
-                    std::ranges::sort(near.cells);
+                    std::ranges::sort(near.cells, {}, &CellRange::first);
                     const auto found = find(by_box, near.cells);
                     ASSERT_TRUE(std::ranges::equal(found, expected[by_box], [](const auto& a, const auto& b) {
                         return compare(a, b) == 0 && a.depth == b.depth;

@@ -75,8 +75,7 @@ private:
 
     void find_with_bodies(int number, const Ball& ball) {
         const auto c = static_cast<std::size_t>(number);
-        std::vector<CellRun> cells;
-        list_all_cells(models[c].grid, cells);
+        const std::vector<CellRange> cells{all_cells(models[c].grid)};
         const MovingCloth cloth{models[c].grid, states[c].x, states[c].x, number};
         find_contacts(cloth, ball, {0, thickness}, cells, rows, Kernels::Plain);
         find_ground_contacts(cloth, 0, {1, thickness}, cells, rows);

@@ -47,8 +47,7 @@ Motion::Motion(int side, int count) {
     const CutSheet sheet(side);
     grid = sheet.grid;
     for (int t = 0; t < grid.triangles(); ++t) corners.push_back(grid.triangle_corners(t));
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
+    const std::vector<CellRange> all{all_cells(grid)};
     frames.reserve(static_cast<std::size_t>(count));
     for (int f = 0; f < count; ++f) {
         const Real phase = 2 * std::numbers::pi_v<Real> * static_cast<Real>(f) / static_cast<Real>(count);

@@ -35,7 +35,7 @@ TEST(LevelCounts, SumUpToWhatTheQueryDid) {
         const Ball ball{.centre = x.row(round * 7), .radius = Real(0.1)};
         const TraversalStats stats = tree->query(ball, found);
         ContactRow contact;
-        contact.triangle = 2 * (found.cells.front().row * grid.cell_columns() + found.cells.front().column);
+        contact.triangle = 2 * grid.cell(found.cells.front().i0, found.cells.front().j0);
         const TouchedCells touched(grid, {&contact, 1}, true);
 
         LevelCounts all;

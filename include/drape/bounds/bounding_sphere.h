@@ -63,7 +63,8 @@ struct BoundingSphere {
     /// The first particle.
     static BoundingSphere start(const Patch& patch) { return {patch.at(0, 0), 0}; }
 
-    /// Grows to the smallest sphere about itself and a point. @cite ritter1990
+    /// Grows to the smallest sphere about itself and a point: with d = |p - c| > r, c += (d - r)/2 (p - c)/d and
+    /// r += (d - r)/2. @cite ritter1990
     void include(const Vec3& p) {
         const Real square = (p - centre).squaredNorm();
         if (square <= radius * radius) return;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -40,7 +39,7 @@ struct SearchLimit {
 struct BroadPhaseParameters {
     VolumeKind volume = VolumeKind::Sphere;
     UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: `measured_leaf_cells`
+    int leaf_cells = 0;  ///< a leaf has at most leaf_cells x leaf_cells cells; 0: as `make_quadtree_nodes` measured
     SphereFit sphere_fit = SphereFit::Centroid;  ///< of a hierarchy of spheres
     SearchLimit search = {};
     Kernels kernels = Kernels::Vector;  ///< of fits
@@ -60,17 +59,6 @@ struct TraversalStats {
     TraversalStats& operator+=(const TraversalStats& other);
 };
 
-/// Cells that follow one another in a row of the grid.
-struct CellRun {
-    int row = 0;
-    int column = 0;  ///< of the first
-    int count = 0;
-    auto operator<=>(const CellRun&) const = default;
-};
-
-/// All cells of a grid, a run a row.
-void list_all_cells(const Grid& grid, std::vector<CellRun>& cells);
-
 /// A node at which a search ended.
 struct StoppedNode : CellRange {
     BoundingSphere sphere;
@@ -79,7 +67,8 @@ struct StoppedNode : CellRange {
 
 /// What a query hands on.
 struct Candidates {
-    std::vector<CellRun> cells;        ///< every cell that may touch, each once; the runs in no particular order
+    /// Every cell that may touch, each once: ranges of a row each, in no particular order, or the one of all cells.
+    std::vector<CellRange> cells;
     std::vector<StoppedNode> stopped;  ///< none unless the search is limited
 };
 

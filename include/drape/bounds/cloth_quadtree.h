@@ -8,8 +8,8 @@
 #include "drape/base/assert.h"
 #include "drape/bounds/bounding_volume.h"
 #include "drape/bounds/broad_phase.h"
+#include "drape/bounds/displacement.h"
 #include "drape/bounds/fold_test.h"
-#include "drape/bounds/leaf_copies.h"
 #include "drape/bounds/node_view.h"
 #include "drape/bounds/quadtree_nodes.h"
 
@@ -59,7 +59,7 @@ public:
             leaf_rows_ += static_cast<std::size_t>(node.j1 - node.j0);
             leaves_.push_back(static_cast<int>(n));
         }
-        std::ranges::sort(leaves_, {}, [this](int n) { return std::pair(nodes_[at(n)].j0, nodes_[at(n)].i0); });
+        std::ranges::sort(leaves_, {}, [this](int n) { return nodes_[at(n)].first(); });
     }
 
     [[nodiscard]] std::unique_ptr<BroadPhase> clone() const override { return std::make_unique<ClothQuadtree>(*this); }
@@ -224,15 +224,13 @@ private:
         const QuadtreeNode& node = nodes_[at(n)];
         BoundingSphere sphere = volumes_[at(n)].sphere();
         sphere.radius += slack_;
-        const int middle = (node.j0 + node.j1) / 2 * grid_.cell_columns() + (node.i0 + node.i1) / 2;
-        return {node, sphere, middle};
+        return {node, sphere, grid_.cell((node.i0 + node.i1) / 2, (node.j0 + node.j1) / 2)};
     }
 
     static void take_leaf(const QuadtreeNode& leaf, Candidates& found, TraversalStats& stats) {
-        const int columns = leaf.i1 - leaf.i0;
-        for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({j, leaf.i0, columns});
+        for (int j = leaf.j0; j < leaf.j1; ++j) found.cells.push_back({leaf.i0, j, leaf.i1, j + 1});
         ++stats.leaves;
-        stats.candidates += static_cast<std::int64_t>(columns) * (leaf.j1 - leaf.j0);
+        stats.candidates += leaf.cells();
     }
 
     /// With several balls the most counts that any query did with a node.
@@ -269,20 +267,16 @@ private:
         for (std::size_t n = 0; n < nodes_.size(); ++n) {
             volumes_[n] = Volume::start(patch_of(grid_, nodes_[n], x));
         }
-        for (int j = 0; j < grid_.cell_rows(); ++j) {
-            for (int i = 0; i < grid_.cell_columns(); ++i) insert_cell(i, j, x);
-        }
-    }
-
-    void insert_cell(int i, int j, const Points& x) {
-        const int above = grid_.particle(i, j), below = grid_.particle(i, j + 1);
-        for (int n = 0;;) {
-            for (const int p : {above, above + 1, below, below + 1}) volumes_[at(n)].include(x.row(p).transpose());
-            const QuadtreeNode& node = nodes_[at(n)];
-            if (node.children == 0) return;
-            n = node.first_child;
-            while (!nodes_[at(n)].holds(i, j)) ++n;
-        }
+        for_each_cell_of(all_cells(grid_), [&](int i, int j) {
+            const int above = grid_.particle(i, j), below = grid_.particle(i, j + 1);
+            for (int n = 0;;) {
+                for (const int p : {above, above + 1, below, below + 1}) volumes_[at(n)].include(x.row(p).transpose());
+                const QuadtreeNode& node = nodes_[at(n)];
+                if (node.children == 0) return;
+                n = node.first_child;
+                while (!nodes_[at(n)].holds(i, j)) ++n;
+            }
+        });
     }
 
     Volume merged(const QuadtreeNode& node) const {
@@ -294,14 +288,15 @@ private:
     /// @par Cost O(particles) to see what has moved, and a merge of that
     void refit(const Points& x) {
         stale_.resize(nodes_.size());
+        copies_.resize(nodes_.size());
         for (std::size_t n = nodes_.size(); n-- > 0;) {
             const QuadtreeNode& node = nodes_[n];
             if (node.children == 0) {
                 const Patch patch = patch_of(grid_, node, x);
-                stale_[n] = !built_ || !(copies_.displacement(n, patch) <= slack_);
+                stale_[n] = !built_ || !(largest_displacement(patch, copies_[n]) <= slack_);
                 if (!stale_[n]) continue;
                 volumes_[n] = fits_.patch(patch);
-                copies_.take(n, patch);
+                copy_points(patch, copies_[n]);
             } else {
                 const auto first = stale_.begin() + node.first_child;
                 stale_[n] = std::find(first, first + node.children, true) != first + node.children;
@@ -325,10 +320,12 @@ private:
     std::vector<NodeVisit> visits_;
     std::vector<int> leaves_;    ///< numbers of nodes, row by row
     std::vector<int> queue_;     ///< nodes that a search visits
-    std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most runs of cells that a query finds
+    std::size_t leaf_rows_ = 0;  ///< of all leaves together: the most ranges of cells that a query finds
     bool built_ = false;
     Real slack_ = 0;
-    LeafCopies copies_;        ///< for refit: what each leaf was fitted to
+    /// For refit: the particles that each leaf was last fitted to. Leaves share those on their borders, and may be
+    /// fitted at different times: each has its own copy.
+    std::vector<Points> copies_;
     std::vector<bool> stale_;  ///< for refit: volumes that have just changed
     Points held_;              ///< for a stale tree: what it was built from
 };

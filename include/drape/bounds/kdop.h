@@ -51,15 +51,7 @@ struct KDop {
     }
 
     /// The first particle.
-    static KDop start(const Patch& patch) {
-        KDop dop;
-        const Vec3 p = patch.at(0, 0);
-        dop.box = {p, p};
-        dop.low.fill(std::numeric_limits<Real>::infinity());
-        dop.high.fill(-std::numeric_limits<Real>::infinity());
-        dop.include(p);
-        return dop;
-    }
+    static KDop start(const Patch& patch) { return fit({patch.x, patch.y, patch.z, 1, 1, patch.stride}); }
 
     /// Grows by just as much as a point needs, and the rounding of its projections.
     void include(const Vec3& p) {

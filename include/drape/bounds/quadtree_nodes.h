@@ -25,14 +25,11 @@ enum class NodeVisit : std::uint8_t {
     Leaf      ///< it does, and its cells are candidates
 };
 
-/// The side of a leaf that was measured to be the fastest for build and query together: 7 cells, of which a row of
-/// particles fills a vector of 8, for small cloths, and 15 for large ones.
-int measured_leaf_cells(const Grid& grid);
-
 /// The nodes of a quadtree over a grid of cells, level by level from the root. It depends on the grid alone. Nodes are
 /// cut along multiples of `leaf_cells`, so that all leaves but those at the far sides have the full size, for which
 /// vectors fit.
-/// @param leaf_cells 1 or more, or 0 for `measured_leaf_cells`
+/// @param leaf_cells 1 or more; 0: what was measured to be the fastest for build and query together, 7 for small
+/// cloths, of which a row of particles fills a vector of 8, and 15 for large ones
 /// @par Cost O(nodes)
 std::vector<QuadtreeNode> make_quadtree_nodes(const Grid& grid, int leaf_cells);
 

@@ -29,7 +29,7 @@ enum class SphereFit {
 template <>
 inline constexpr std::string_view other_name<SphereFit::BoxCentre> = "box";
 
-/// The fit of a kind: plain, or with its passes by vector kernels.
+/// The fit of a kind: plain or, of the first two kinds, by vector kernels if they are asked for.
 [[nodiscard]] BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&);
 
 /// The smallest sphere, to the rounding: the plain `SphereFit::Welzl`.

@@ -42,7 +42,7 @@ struct SearchedBody {
 /// @param cells candidate cells
 /// @param triangles receives the triangle numbers, in the order of `cells`; cleared first
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels);
+                            std::span<const CellRange> cells, std::vector<int>& triangles, Kernels kernels);
 
 /// The contacts of the candidate cells with one ball, appended: each particle, each edge and each triangle at most
 /// once. A particle counts if it may come into the grown ball; a triangle, or an edge, if its closest point to the
@@ -50,7 +50,7 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 /// @param kernels plain: each cell is tested; vector: cells that their corners show to be too far are left out first
 /// @return how many of the cells touch at the end, or have come past the plane of the start
 std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body,
-                           std::span<const CellRun> cells, std::vector<ContactRow>& rows, Kernels kernels);
+                           std::span<const CellRange> cells, std::vector<ContactRow>& rows, Kernels kernels);
 
 /// How fast a node's sphere may push: as fast as a cloth settles, and slower than it tears [m/s].
 inline constexpr Real node_push_speed = 1;
@@ -66,7 +66,7 @@ void find_node_contacts(const MovingCloth& cloth, const Ball& ball, const Search
 /// The contacts of the candidate cells with the ground, appended: particles alone, for whatever is between them is
 /// above the lowest.
 void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedBody& body,
-                          std::span<const CellRun> cells, std::vector<ContactRow>& rows);
+                          std::span<const CellRange> cells, std::vector<ContactRow>& rows);
 
 /// Finds where a cloth may touch solids within a substep. A contact is a plane: that of the surface next to a particle,
 /// or to the point of a triangle, or of an edge, that is deepest.
@@ -76,7 +76,7 @@ public:
     /// once, triangles ascending.
     /// @param solid at the end of the substep
     /// @param cells ascending
-    void find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body, std::span<const CellRun> cells,
+    void find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body, std::span<const CellRange> cells,
               std::vector<ContactRow>& rows);
 
     /// A distance of a triangle, and where its corners were, seen from the solid: since then it has changed by no more

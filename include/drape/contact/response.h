@@ -19,6 +19,9 @@ enum class ResponseKind {
     Hybrid       ///< impulses on impact, penalties at rest
 };
 
+/// Whether some contacts of this response, or all, are answered by penalties.
+bool has_penalties(ResponseKind kind);
+
 struct ResponseParameters {
     ResponseKind kind = ResponseKind::Projection;
     Real friction = Real(0.3);          ///< Coulomb coefficient between cloths
@@ -29,10 +32,9 @@ struct ResponseParameters {
 
 /// What a response leaves and what it has done.
 struct ResponseReport {
-    Real depth = 0;             ///< the largest that is left in bodies [m]
-    Real residual = 0;          ///< the largest change of any contact's displacement in the last sweep [m]
-    int sweeps = 0;             ///< over the contacts, of both solves
-    double free_ball_work = 0;  ///< by free balls on cloths, ground and each other [J]
+    Real depth = 0;     ///< the largest that is left in bodies [m]
+    Real residual = 0;  ///< the largest change of any contact's displacement in the last sweep [m]
+    int sweeps = 0;     ///< over the contacts, of both solves
 };
 
 /// A cloth in contact.

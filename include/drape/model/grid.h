@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 namespace drape {
 
@@ -17,6 +18,8 @@ struct Grid {
     [[nodiscard]] int cells() const { return (nx - 1) * (ny - 1); }
     [[nodiscard]] int triangles() const { return 2 * cells(); }
     [[nodiscard]] int particle(int i, int j) const { return j * nx + i; }
+
+    [[nodiscard]] int cell(int i, int j) const { return j * cell_columns() + i; }
 
     /// The particle at corner a of a cell; b, c and d follow at +1, +nx and +nx+1.
     [[nodiscard]] int cell_corner(int cell) const { return cell + cell / (nx - 1); }
@@ -37,11 +40,23 @@ struct CellRange {
 
     [[nodiscard]] bool holds(int i, int j) const { return i >= i0 && i < i1 && j >= j0 && j < j1; }
     [[nodiscard]] int cells() const { return (i1 - i0) * (j1 - j0); }
+
+    /// Row and column of its first cell: sorted by these, ranges of a row each are in the order of their cells.
+    [[nodiscard]] std::pair<int, int> first() const { return {j0, i0}; }
+
     bool operator==(const CellRange&) const = default;
 };
 
 /// All cells of a grid.
 inline CellRange all_cells(const Grid& grid) { return {0, 0, grid.cell_columns(), grid.cell_rows()}; }
+
+/// Calls visit(i, j) for each cell of a range, row by row.
+template <class Visit>
+void for_each_cell_of(const CellRange& cells, Visit visit) {
+    for (int j = cells.j0; j < cells.j1; ++j) {
+        for (int i = cells.i0; i < cells.i1; ++i) visit(i, j);
+    }
+}
 
 /// The particles of columns first_column to end_column - 1 in rows first_row to end_row - 1.
 struct GridRange {

@@ -153,7 +153,7 @@ public:
 
 private:
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
-    [[nodiscard]] bool measures_pushes() const { return ledger_ || max_push_work_ > watch_.small_work(); }
+    [[nodiscard]] bool is_pushed() const { return pushed_.first_column < pushed_.end_column; }
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
@@ -161,7 +161,7 @@ private:
     std::optional<EnergyLedger> ledger_, marked_;
     bool has_pins_ = false;
     int grabbed_ = -1;                       ///< particle that the hand leads
-    GridRange pushed_{0, 0, 0, 0};           ///< particles that are being pushed; all, where none is measured
+    GridRange pushed_{0, 0, 0, 0};           ///< about the particles that are being pushed
     EnergyFlow before_;                      ///< of what contacts or the fail-safe are about to push
     double EnergyBalance::*loss_ = nullptr;  ///< the entry for what this dissipates
     bool known_ = false;

@@ -9,6 +9,9 @@
 
 namespace drape {
 
+/// How fast the hand pulls [m/s], and the time in which it closes a small gap [s].
+inline constexpr Real hand_speed = 3, hand_lag = Real(0.03);
+
 /// @throws InputError that starts with the command's name, if there is no such cloth or particle
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
 

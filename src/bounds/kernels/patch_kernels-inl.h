@@ -152,71 +152,6 @@ void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axe
     });
 }
 
-/// The largest value so far of each lane, and where its vector started.
-template <class D>
-class Highest {
-public:
-    explicit Highest(D d) : value_(hn::Set(d, hwy::LowestValue<Real>())), start_(hn::Zero(starts_)) {}
-
-    HWY_INLINE void see(hn::Vec<D> value, ParticleIndex start) {
-        const auto higher = hn::Gt(value, value_);
-        value_ = hn::IfThenElse(higher, value, value_);
-        start_ = hn::IfThenElse(hn::RebindMask(starts_, higher), hn::Set(starts_, static_cast<Start>(start)), start_);
-    }
-
-    /// Each lane has seen its particles in ascending order, so that the first of equals does not depend on the lanes.
-    HWY_INLINE ParticleIndex particle(D d) const {
-        constexpr std::size_t lanes = hn::MaxLanes(D());
-        HWY_ALIGN Real value[lanes];
-        HWY_ALIGN Start start[lanes];
-        hn::Store(value_, d, value);
-        hn::Store(start_, starts_, start);
-        ParticleIndex best = start[0];
-        Real highest = value[0];
-        for (std::size_t lane = 1; lane < lanes; ++lane) {
-            const ParticleIndex here = static_cast<ParticleIndex>(start[lane]) + static_cast<ParticleIndex>(lane);
-            if (value[lane] > highest || (value[lane] == highest && here < best)) highest = value[lane], best = here;
-        }
-        return best;
-    }
-
-private:
-    using Starts = hn::RebindToSigned<D>;
-    using Start = hn::TFromD<Starts>;
-    Starts starts_;
-    hn::Vec<D> value_;
-    hn::Vec<Starts> start_;
-};
-
-ParticleIndex farthest_particle_of(const Patch& patch, const Vec3& from) {
-    ParticleIndex found = 0;
-    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
-        Highest highest(d);
-        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
-            const int start = j * patch.stride + i;
-            highest.see(square_to(d, patch, start, from), start);
-        });
-        found = highest.particle(d);
-    });
-    return found;
-}
-
-Extremes extreme_particles_of(const Patch& patch, const std::array<int, 3>& direction) {
-    Extremes found{};
-    with_vectors_for(patch.columns, [&](auto d) HWY_ATTR {
-        const auto along_line = in_each_lane(d, direction);
-        Highest high(d), low(d);
-        for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
-            const int start = j * patch.stride + i;
-            const auto along = dot(along_line, particles_from(d, patch, start));
-            high.see(along, start);
-            low.see(hn::Neg(along), start);
-        });
-        found = {low.particle(d), high.particle(d)};
-    });
-    return found;
-}
-
 bool edges_within_of(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next,
                      int count, const Real* limits) {
     const hn::CappedTag<Real, 16> d;
@@ -251,8 +186,6 @@ HWY_EXPORT(sums_of);
 HWY_EXPORT(raise_to_farthest_of);
 HWY_EXPORT(dop_extents_of);
 HWY_EXPORT(extents_along_of);
-HWY_EXPORT(farthest_particle_of);
-HWY_EXPORT(extreme_particles_of);
 HWY_EXPORT(edges_within_of);
 
 PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
@@ -269,17 +202,9 @@ void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, 
     HWY_DYNAMIC_DISPATCH(extents_along_of)(patch, origin, axes, low, high);
 }
 
-ParticleIndex farthest_particle(const Patch& patch, const Vec3& from) {
-    return HWY_DYNAMIC_DISPATCH(farthest_particle_of)(patch, from);
-}
-
 bool edges_within(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next, int count,
                   const Real* limits) {
     return HWY_DYNAMIC_DISPATCH(edges_within_of)(from, x, to_next, count, limits);
-}
-
-Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction) {
-    return HWY_DYNAMIC_DISPATCH(extreme_particles_of)(patch, direction);
 }
 
 }  // namespace drape::kernels

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 
 #include "drape/bounds/aabb.h"
@@ -47,24 +45,11 @@ void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
 /// @param low, high receive 3 each
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high);
 
-/// The index of a particle in the arrays of a patch. Of several that are equally far out, the first counts.
-using ParticleIndex = std::ptrdiff_t;
-
-/// The particle that is farthest from a point.
-ParticleIndex farthest_particle(const Patch& patch, const Vec3& from);
-
 /// Whether none of the edges from `count` particles to those `to_next` later has changed by more than its limit.
 /// @param from, x by coordinate, at the first of the particles
 /// @param limits squared [m^2]
 bool edges_within(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next, int count,
                   const Real* limits);
-
-struct Extremes {
-    ParticleIndex low, high;
-};
-
-/// The particles at both ends along a direction.
-Extremes extreme_particles(const Patch& patch, const std::array<int, 3>& direction);
 
 /// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
 /// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the

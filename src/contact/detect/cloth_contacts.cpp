@@ -13,12 +13,11 @@
 namespace drape {
 namespace {
 
-/// Calls visit(cell) for each cell of the runs.
+/// Calls visit(cell) for each cell of the ranges.
 template <class Visit>
-void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit) {
-    for (const CellRun& run : cells) {
-        const int first = run.row * grid.cell_columns() + run.column;
-        for (int cell = first; cell < first + run.count; ++cell) visit(cell);
+void for_each_cell(const Grid& grid, std::span<const CellRange> cells, Visit visit) {
+    for (const CellRange& some : cells) {
+        for_each_cell_of(some, [&](int i, int j) { visit(grid.cell(i, j)); });
     }
 }
 
@@ -26,9 +25,9 @@ void for_each_cell(const Grid& grid, std::span<const CellRun> cells, Visit visit
 /// @param p, radius of the ball, grown by the cloth's thickness
 template <class Visit>
 void for_each_cell_to_test(const Vec3& p, Real radius, const Grid& grid, const Points& x,
-                           std::span<const CellRun> cells, Kernels kernels, Visit visit) {
+                           std::span<const CellRange> cells, Kernels kernels, Visit visit) {
     if (kernels == Kernels::Plain) return for_each_cell(grid, cells, visit);
-    kernels::for_each_near_cell(grid, x, p, radius, cells, visit);
+    for (const CellRange& some : cells) kernels::for_each_near_cell(grid, x, p, radius, some, visit);
 }
 
 /// The corners of a triangle in the order of their numbers: those of a cell's first one are a, c, b.
@@ -180,7 +179,7 @@ private:
 }  // namespace
 
 void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball, Real thickness,
-                            std::span<const CellRun> cells, std::vector<int>& triangles, Kernels kernels) {
+                            std::span<const CellRange> cells, std::vector<int>& triangles, Kernels kernels) {
     const Real radius = ball.radius + thickness;
     const auto is_inside = [&](const Vec3& p) { return (p - ball.centre).squaredNorm() <= radius * radius; };
     const auto test = [&](int cell) {
@@ -198,7 +197,7 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
 }
 
 std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const SearchedBody& body,
-                           std::span<const CellRun> cells, std::vector<ContactRow>& rows, Kernels kernels) {
+                           std::span<const CellRange> cells, std::vector<ContactRow>& rows, Kernels kernels) {
     const Vec3 start = body.reach > 0 ? Vec3(ball.centre - ball.moved) : ball.centre;
     BodyContacts<NearBall> found{cloth, body, {start, ball.radius}, start, ball.centre, rows};
     std::int64_t touching = 0;
@@ -212,7 +211,7 @@ std::int64_t find_contacts(const MovingCloth& cloth, const Ball& ball, const Sea
 }
 
 void SolidSearch::find(const MovingCloth& cloth, const Solid& solid, const SearchedBody& body,
-                       std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
+                       std::span<const CellRange> cells, std::vector<ContactRow>& rows) {
     if (cells.empty()) return;
     const SurfaceDistance unknown{std::numeric_limits<Real>::quiet_NaN(), Vec3::Zero()};
     surface_.assign(static_cast<std::size_t>(cloth.grid.particles()), unknown);
@@ -231,7 +230,7 @@ void SolidSearch::find(const MovingCloth& cloth, const Solid& solid, const Searc
 }
 
 void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedBody& body,
-                          std::span<const CellRun> cells, std::vector<ContactRow>& rows) {
+                          std::span<const CellRange> cells, std::vector<ContactRow>& rows) {
     const Grid& grid = cloth.grid;
     const Real limit = height + body.thickness;
     const auto add = [&](int particle) {
@@ -242,10 +241,8 @@ void find_ground_contacts(const MovingCloth& cloth, Real height, const SearchedB
         row.depth = limit - cloth.x(particle, 1);
         rows.push_back(row);
     };
-    for (const CellRun& run : cells) {
-        for (int column = run.column; column < run.column + run.count; ++column) {
-            for_each_particle_of(grid, column, run.row, add);
-        }
+    for (const CellRange& some : cells) {
+        for_each_cell_of(some, [&](int i, int j) { for_each_particle_of(grid, i, j, add); });
     }
 }
 

@@ -12,14 +12,11 @@ namespace {
 template <class Visit>
 void for_each_distance(const Grid& grid, const Points& x, const CellRange& cells, const Vec3& p, Real radius,
                        Visit visit) {
-    for (int row = cells.j0; row < cells.j1; ++row) {
-        const CellRun run{row, cells.i0, cells.i1 - cells.i0};
-        kernels::for_each_near_cell(grid, x, p, radius, std::span(&run, 1), [&](int cell) {
-            for (const int triangle : {2 * cell, 2 * cell + 1}) {
-                visit((closest_point(x, grid.triangle_corners(triangle), p).point - p).norm());
-            }
-        });
-    }
+    kernels::for_each_near_cell(grid, x, p, radius, cells, [&](int cell) {
+        for (const int triangle : {2 * cell, 2 * cell + 1}) {
+            visit((closest_point(x, grid.triangle_corners(triangle), p).point - p).norm());
+        }
+    });
 }
 
 }  // namespace

@@ -24,15 +24,13 @@ std::uint32_t near_cells(const Patch& corners, const Vec3& p, Real radius);
 /// Calls visit(cell) for each of these, of some cells.
 /// @param x n x 3 [m]
 template <class Visit>
-void for_each_near_cell(const Grid& grid, const Points& x, const Vec3& p, Real radius, std::span<const CellRun> cells,
+void for_each_near_cell(const Grid& grid, const Points& x, const Vec3& p, Real radius, const CellRange& cells,
                         Visit visit) {
-    for (const auto& [row, column, count] : cells) {
-        for (int first = column, end = column + count; first < end; first += max_near_cells) {
-            const CellRange some{first, row, std::min(first + max_near_cells, end), row + 1};
+    for (int j = cells.j0; j < cells.j1; ++j) {
+        for (int i = cells.i0; i < cells.i1; i += max_near_cells) {
+            const CellRange some{i, j, std::min(i + max_near_cells, cells.i1), j + 1};
             std::uint32_t near = near_cells(patch_of(grid, some, x), p, radius);
-            for (; near != 0; near &= near - 1) {
-                visit(row * grid.cell_columns() + first + std::countr_zero(near));
-            }
+            for (; near != 0; near &= near - 1) visit(grid.cell(i + std::countr_zero(near), j));
         }
     }
 }

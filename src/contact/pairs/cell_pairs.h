@@ -7,14 +7,6 @@
 
 namespace drape {
 
-/// Calls visit(i, j) for each cell of a range.
-template <class Visit>
-void for_each_cell_of(const CellRange& cells, Visit visit) {
-    for (int j = cells.j0; j < cells.j1; ++j) {
-        for (int i = cells.i0; i < cells.i1; ++i) visit(i, j);
-    }
-}
-
 /// Calls visit(from, to) for the edges that belong to a cell, so that each edge belongs to one: from its corner a to b
 /// and c, the diagonal, and at the far sides of the cloth what no other cell has.
 template <class Visit>
@@ -29,7 +21,7 @@ void for_each_edge_of(const Grid& grid, int cell, Visit visit) {
 inline CellRange those_that_meet(const Aabb& box, const BoxedCloth& cloth, const CellRange& cells) {
     CellRange met{cells.i1, cells.j1, cells.i0, cells.j0};
     for_each_cell_of(cells, [&](int i, int j) {
-        if (!cloth.boxes.of(j * cloth.cloth.grid.cell_columns() + i).meets(box)) return;
+        if (!cloth.boxes.of(cloth.cloth.grid.cell(i, j)).meets(box)) return;
         met = {std::min(met.i0, i), std::min(met.j0, j), std::max(met.i1, i + 1), std::max(met.j1, j + 1)};
     });
     return met;
@@ -47,9 +39,9 @@ void for_each_pair_of_cells(const BoxedCloth& first, const BoxedCloth& second, s
         const Aabb around_near = first.boxes.of(first.cloth.grid, near);
         const CellRange there = same ? cells : those_that_meet(around_near, second, others);
         for_each_cell_of(near, [&](int i, int j) {
-            const int one = j * first.cloth.grid.cell_columns() + i;
+            const int one = first.cloth.grid.cell(i, j);
             for_each_cell_of(there, [&](int other_i, int other_j) {
-                const int two = other_j * second.cloth.grid.cell_columns() + other_i;
+                const int two = second.cloth.grid.cell(other_i, other_j);
                 if (same && two < one) return;
                 if (first.boxes.of(one).meets(second.boxes.of(two))) visit(one, two);
             });

@@ -7,29 +7,26 @@
 
 namespace drape {
 
-/// What an impulse at the contact point meets: 1/m = sum w_k^2 / m_k over its particles. Zero if nothing can move, and
-/// where the point hangs on pinned corners so nearly that an impulse would throw the free one far.
-/// @param mobilities weight times inverse mass, of each particle [1/kg]
-inline Real inverse_mass_of_particles(const ContactRow& row, const std::array<Real, 4>& mobilities) {
-    Real sum = 0, largest = 0;
-    for (std::size_t k = 0; k < row.count; ++k) {
-        const Real weight = row.particles[k].weight;
-        if (weight == 0) continue;
-        sum += weight * mobilities[k];
-        largest = std::max(largest, mobilities[k] / weight);
-    }
-    return sum < min_mobility * largest ? Real(0) : sum;
-}
+/// How an impulse at a contact point moves its particles.
+struct Mobility {
+    std::array<Real, 4> of_particles{};  ///< how far each, or how much faster: weight times inverse mass [1/kg]
+    Real inverse_mass = 0;               ///< that the impulse meets: 1/m = sum w_k^2 / m_k [1/kg]
+};
 
-/// How far an impulse moves each particle, or speeds it up: not at all where the point hangs on pinned corners. Else a
-/// ball's mass alone would size the impulse, and throw the free corner far.
-inline std::array<Real, 4> mobilities_of(std::span<const ClothInContact> cloths, const ContactRow& row) {
-    std::array<Real, 4> mobilities{};
+/// Not at all if nothing can move, or where the point hangs on pinned corners so nearly that an impulse, which a ball's
+/// mass alone would size, would throw the free one far.
+inline Mobility mobility_of(std::span<const ClothInContact> cloths, const ContactRow& row) {
+    Mobility found;
+    Real largest = 0;
     for (std::size_t k = 0; k < row.count; ++k) {
         const auto& [cloth, particle, weight] = row.particles[k];
-        mobilities[k] = weight * cloths[static_cast<std::size_t>(cloth)].inverse_mass(particle);
+        if (weight == 0) continue;
+        const Real mobility = weight * cloths[static_cast<std::size_t>(cloth)].inverse_mass(particle);
+        found.of_particles[k] = mobility;
+        found.inverse_mass += weight * mobility;
+        largest = std::max(largest, mobility / weight);
     }
-    return inverse_mass_of_particles(row, mobilities) > 0 ? mobilities : std::array<Real, 4>{};
+    return found.inverse_mass > 0 && found.inverse_mass >= min_mobility * largest ? found : Mobility{};
 }
 
 }  // namespace drape

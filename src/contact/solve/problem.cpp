@@ -41,8 +41,8 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
                body.spin.isZero(0);
     };
     state.stands = row.body == no_body || is_still(problem.body(row.body));
-    state.mobilities = mobilities_of(problem.cloths, row);
-    const Real of_particles = inverse_mass_of_particles(row, state.mobilities);
+    const auto [mobilities, of_particles] = mobility_of(problem.cloths, row);
+    state.mobilities = mobilities;
     Real of_bodies = 0;
     bool has_motor = false;
     Real drawn = 0;

@@ -77,6 +77,8 @@ Sweeps respond(ContactProblem& problem) {
 
 }  // namespace
 
+bool has_penalties(ResponseKind kind) { return answers[static_cast<std::size_t>(kind)].penalties; }
+
 ContactSolver::Scratch& ContactSolver::scratch() {
     if (!scratch_) scratch_ = std::make_shared<Scratch>();
     return *scratch_;
@@ -101,13 +103,9 @@ ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real
                            .rows = rows,
                            .scratch = scratch()};
     prepare(problem);
-    const double before = kinetic_energy(bodies);
     const Sweeps sweeps = respond(problem);
     finish(problem);
-    return {.depth = update_depths(cloths, bodies, rows),
-            .residual = sweeps.residual,
-            .sweeps = sweeps.count,
-            .free_ball_work = before - kinetic_energy(bodies)};
+    return {.depth = update_depths(cloths, bodies, rows), .residual = sweeps.residual, .sweeps = sweeps.count};
 }
 
 double work_of_kinematic_bodies(std::span<const ContactRow> rows, std::span<const Body> bodies) {

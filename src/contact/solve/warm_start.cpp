@@ -14,7 +14,7 @@ struct Sides {
     Real of_particles, of_body;
 
     Sides(std::span<const ClothInContact> cloths, std::span<const Body> bodies, const ContactRow& row)
-        : of_particles(inverse_mass_of_particles(row, mobilities_of(cloths, row))),
+        : of_particles(mobility_of(cloths, row).inverse_mass),
           of_body(row.body == no_body ? 0 : bodies[static_cast<std::size_t>(row.body)].inverse_mass) {}
 
     /// Of the heavier side, of those that can move.
@@ -92,7 +92,7 @@ __attribute__((flatten)) void WarmStart::give(std::span<const ClothInContact> cl
     for (const ContactRow& row : last_) {
         if (!row.has_impulse()) continue;
         const Vec3 displacement = row.displacement.about(row.normal), impulse = row.impulse.about(row.normal);
-        const std::array<Real, 4> mobilities = mobilities_of(cloths, row);
+        const std::array<Real, 4> mobilities = mobility_of(cloths, row).of_particles;
         for (std::size_t k = 0; k < row.count; ++k) {
             const auto [cloth, particle, weight] = row.particles[k];
             ClothState& state = cloths[static_cast<std::size_t>(cloth)].state;

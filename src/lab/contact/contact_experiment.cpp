@@ -76,8 +76,8 @@ void add_touched(const ContactTrial& trial, std::set<int>& triangles) {
     const Candidates& candidates = trial.cloths[0].search.candidates(0);
     std::vector<bool> found(static_cast<std::size_t>(grid.cells()));
     std::vector<bool> pushed(static_cast<std::size_t>(grid.particles()));
-    for (const CellRun& run : candidates.cells) {
-        std::fill_n(found.begin() + run.row * grid.cell_columns() + run.column, run.count, true);
+    for (const CellRange& some : candidates.cells) {
+        for_each_cell_of(some, [&](int i, int j) { found[static_cast<std::size_t>(grid.cell(i, j))] = true; });
     }
     for (const ContactRow& row : trial.stage.rows()) {
         const bool is_of_ball = row.kind == RowKind::Particle || row.kind == RowKind::Triangle;

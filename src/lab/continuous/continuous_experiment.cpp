@@ -5,7 +5,7 @@
 #include "drape/base/exact_math.h"
 #include "drape/base/input_error.h"
 #include "drape/bounds/broad_phase.h"
-#include "drape/bounds/leaf_copies.h"
+#include "drape/bounds/displacement.h"
 #include "drape/contact/detection.h"
 #include "lab/experiments.h"
 
@@ -85,8 +85,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
     const MovingCloth cloth{grid, x, x};
     Detector detector(grid);
     detector.tree->build(x);
-    std::vector<CellRun> all;
-    list_all_cells(grid, all);
+    const CellRange all = all_cells(grid);
     std::vector<ContactRow> expected;
     std::mt19937 random(seed);
     double discrete_missed = 0, continuous_missed = 0;
@@ -100,7 +99,7 @@ Rows misses_at(const std::string& target, double q, int shots) {
             discrete = discrete || detector.touches(cloth, ball, 0);
             continuous = detector.touches(cloth, ball, step) || continuous;
             expected.clear();
-            find_contacts(cloth, ball, {.reach = step}, all, expected, Kernels::Plain);
+            find_contacts(cloth, ball, {.reach = step}, {&all, 1}, expected, Kernels::Plain);
             if (expected.size() != detector.contacts.size()) throw RunError("continuous: a tree misses a contact");
         }
         discrete_missed += !discrete;
