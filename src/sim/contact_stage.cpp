@@ -62,17 +62,16 @@ std::span<const ContactRow> ContactStage::rows_of(std::size_t cloth) const { ret
 
 void ContactStage::use(const Settings& settings, std::span<Cloth> cloths) {
     stage_ = Stage::Ended;
-    std::size_t contacts = 0, particles = 0;
+    std::size_t contacts = 0;
     for (Cloth& cloth : cloths) {
         cloth.search.use(broad_phase_of(settings), cloth.model.grid, cloth.state.x);
         contacts += 2 * static_cast<std::size_t>(cloth.model.grid.triangles());
-        particles += static_cast<std::size_t>(cloth.model.grid.particles());
     }
     rows_.clear();
     rows_.reserve(contacts);
     warm_start_.forget();
     warm_start_.reserve(contacts);
-    solver_.reserve(contacts, particles);
+    solver_.reserve(contacts);
     near_ = false;
     self_.use(settings, at_present(cloths));
 }

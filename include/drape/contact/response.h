@@ -81,8 +81,7 @@ class ContactSolver {
 public:
     /// Room for as many contacts without allocating, but for no more than a hundred thousand: a scene with more of them
     /// at a time makes more room once.
-    /// @param particles of all cloths
-    void reserve(std::size_t contacts, std::size_t particles);
+    void reserve(std::size_t contacts);
 
     /// Corrects positions and velocities so that cloth and balls stay out of each other and of all bodies.
     /// Contacts are solved one after the other, again and again, each for both normal and friction, until none changes

@@ -60,26 +60,16 @@ void set_particles(const ContactProblem& problem, const ContactRow& row, RowStat
     state.sliding_mass = sliding > 0 ? 1 / sliding : Real(0);
 }
 
-/// Takes the motion of all that is in contact. The place of a particle in it is its number among those of all cloths.
+/// Takes the motion of all that is in contact.
 void take_motion(ContactProblem& problem) {
     auto& [states, displacements, velocities] = problem.scratch;
-    const auto first_of = [&](std::size_t cloth) {
-        Eigen::Index first = 0;
-        for (const ClothInContact& other : problem.cloths.first(cloth)) first += other.state.x.rows();
-        return static_cast<int>(first);
-    };
     for (ContactMotion* motion : {&displacements, &velocities}) {
-        motion->particles.resize(static_cast<std::size_t>(first_of(problem.cloths.size())));
+        motion->particles.clear();
         motion->bodies.clear();
     }
-    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
-        for (std::size_t k = 0; k < problem.rows[r].count; ++k) {
-            const auto& [number, particle, weight] = problem.rows[r].particles[k];
-            const auto cloth = static_cast<std::size_t>(number);
-            const int place = states[r].places[k] = first_of(cloth) + particle;
-            displacements.of(place) = position(problem.cloths[cloth].state.x, particle);
-            velocities.of(place) = position(problem.cloths[cloth].state.v, particle);
-        }
+    for (const ClothInContact& cloth : problem.cloths) {
+        displacements.particles.push_back(&cloth.state.x);
+        velocities.particles.push_back(&cloth.state.v);
     }
     for (const Body& body : problem.bodies) {
         displacements.bodies.push_back({body.moved, body.turned});
@@ -129,21 +119,13 @@ __attribute__((flatten)) void prepare(ContactProblem& problem) {
         ContactRow& row = problem.rows[r];
         RowState& state = problem.state(r);
         set_particles(problem, row, state);
-        follow(problem, row, state);
+        follow(problem, row);
         prepare(problem, row, state);
     }
 }
 
 void finish(ContactProblem& problem) {
     const auto& [states, displacements, velocities] = problem.scratch;
-    for (std::size_t r = 0; r < problem.rows.size(); ++r) {
-        for (std::size_t k = 0; k < problem.rows[r].count; ++k) {
-            const auto& [cloth, particle, weight] = problem.rows[r].particles[k];
-            ClothState& state = problem.cloths[static_cast<std::size_t>(cloth)].state;
-            state.x.row(particle) = displacements.of(states[r].places[k]).transpose();
-            state.v.row(particle) = velocities.of(states[r].places[k]).transpose();
-        }
-    }
     for (std::size_t b = 0; b < problem.bodies.size(); ++b) {
         Body& body = problem.bodies[b];
         if (!body.gives_way()) continue;
@@ -155,11 +137,9 @@ void finish(ContactProblem& problem) {
     }
 }
 
-void follow(const ContactProblem& problem, ContactRow& row, const RowState& state) {
+void follow(const ContactProblem& problem, ContactRow& row) {
     Vec3 offset = Vec3::Zero();
-    for (std::size_t k = 0; k < row.count; ++k) {
-        offset += row.particles[k].weight * problem.scratch.displacements.of(state.places[k]);
-    }
+    for (const RowParticle& p : row.moved()) offset += p.weight * problem.scratch.displacements.of(p);
     if (row.first_body != no_body) offset += centre_of(problem, row.first_body);
     if (row.body != no_body) offset -= centre_of(problem, row.body);
     row.depth = row.distance - row.normal.dot(offset);
@@ -170,9 +150,9 @@ void find_again(const ContactProblem& problem, ContactRow& row, RowState& state)
     if (of_surface && !row.separated && problem.body(row.body).is_ball()) {
         const ContactMotion& x = problem.scratch.displacements;
         const Vec3 centre = centre_of(problem, row.body);
-        ClosestPoint at{x.of(state.places[0]), {1, 0, 0}};
+        ClosestPoint at{x.of(row.particles[0]), {1, 0, 0}};
         if (row.kind == RowKind::Triangle) {
-            at = closest_point_on_triangle(centre, at.point, x.of(state.places[1]), x.of(state.places[2]));
+            at = closest_point_on_triangle(centre, at.point, x.of(row.particles[1]), x.of(row.particles[2]));
         }
         const Vec3 offset = at.point - centre;
         const Real distance = offset.norm();
@@ -183,7 +163,7 @@ void find_again(const ContactProblem& problem, ContactRow& row, RowState& state)
             row.displacement.friction -= row.displacement.friction.dot(row.normal) * row.normal;
         }
     }
-    follow(problem, row, state);
+    follow(problem, row);
 }
 
 }  // namespace drape

@@ -13,7 +13,6 @@ namespace drape {
 
 /// What is known of a contact while it is answered.
 struct RowState {
-    std::array<int, 4> places{};       ///< of its particles, in the motion
     std::array<Real, 4> mobilities{};  ///< of an impulse, that they move by: weight times inverse mass [1/kg]
     Vec3 start = Vec3::Zero();         ///< weighted sum of where they were at the start of the substep [m]
     Real inverse_mass = 0;  ///< that an impulse along the normal meets, of both sides; 0 if none moves [1/kg]
@@ -34,7 +33,7 @@ struct RowState {
 /// What contacts change: displacements within the substep, or velocities.
 enum class Quantity { Displacement, Velocity };
 
-/// One of both, of all that takes part; of particles that do not, nothing is known.
+/// One of both, of all that takes part.
 struct ContactMotion {
     /// Of a body, and how fast it turns.
     struct OfBody {
@@ -42,11 +41,12 @@ struct ContactMotion {
     };
 
     Quantity quantity;
-    std::vector<Vec3> particles;  ///< positions at the end of the substep, or velocities
+    std::vector<Points*> particles;  ///< of each cloth: its positions at the end of the substep, or velocities
     std::vector<OfBody> bodies;
 
-    [[nodiscard]] const Vec3& of(int place) const { return particles[static_cast<std::size_t>(place)]; }
-    [[nodiscard]] Vec3& of(int place) { return particles[static_cast<std::size_t>(place)]; }
+    [[nodiscard]] auto of(const RowParticle& p) const {
+        return particles[static_cast<std::size_t>(p.cloth)]->row(p.particle).transpose();
+    }
 };
 
 /// What a solver keeps from one substep to the next, to allocate nothing.
@@ -102,7 +102,7 @@ inline Vec3 motion_of_body(const ContactProblem& problem, const ContactMotion& m
 inline Vec3 relative(const ContactProblem& problem, const ContactMotion& motion, const ContactRow& row,
                      const RowState& state) {
     Vec3 sum = Vec3::Zero();
-    for (std::size_t k = 0; k < row.count; ++k) sum += row.particles[k].weight * motion.of(state.places[k]);
+    for (const RowParticle& p : row.moved()) sum += p.weight * motion.of(p);
     if (motion.quantity == Quantity::Displacement) sum -= state.start;
     if (row.first_body != no_body) sum += motion_of_body(problem, motion, row.first_body, -row.normal);
     if (!state.stands) sum -= motion_of_body(problem, motion, row.body, row.normal);
@@ -119,7 +119,7 @@ inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, 
         linear += body.inverse_mass * push;
         angular += body.inverse_inertia() * body.arm(outwards).cross(push);
     };
-    for (std::size_t k = 0; k < row.count; ++k) motion.of(state.places[k]) += state.mobilities[k] * impulse;
+    for (std::size_t k = 0; k < row.count; ++k) motion.of(row.particles[k]) += state.mobilities[k] * impulse;
     push_body(row.first_body, -row.normal, impulse);
     if (!state.stands) push_body(row.body, row.normal, -impulse);
 }
@@ -127,11 +127,11 @@ inline void apply_impulse(const ContactProblem& problem, ContactMotion& motion, 
 /// Fills what is known of each row, and takes the motion of all that is in contact.
 void prepare(ContactProblem& problem);
 
-/// Gives cloths and bodies the motion that the response has left.
+/// Gives bodies the motion that the response has left.
 void finish(ContactProblem& problem);
 
 /// Updates the depth of a contact, less than zero where it has parted, to where all is now; the normal stays.
-void follow(const ContactProblem& problem, ContactRow& row, const RowState& state);
+void follow(const ContactProblem& problem, ContactRow& row);
 
 /// Finds a contact of cloth with a ball again where they have moved: the point that is closest now, and its plane, if
 /// it is on the side where they met. Others follow.

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t max_reserved = 100'000;  // contacts
 
 void follow_all(ContactProblem& problem) {
-    for_each_row(problem, [&](ContactRow& row, const RowState& state) { follow(problem, row, state); });
+    for_each_row(problem, [&](ContactRow& row, const RowState&) { follow(problem, row); });
 }
 
 /// How a kind answers: impacts, where two sides meet faster than gravity alone brings them together within a few steps,
@@ -84,12 +84,7 @@ ContactSolver::Scratch& ContactSolver::scratch() {
     return *scratch_;
 }
 
-void ContactSolver::reserve(std::size_t contacts, std::size_t particles) {
-    Scratch& scratch = this->scratch();
-    scratch.states.reserve(std::min(contacts, max_reserved));
-    scratch.displacements.particles.reserve(particles);
-    scratch.velocities.particles.reserve(particles);
-}
+void ContactSolver::reserve(std::size_t contacts) { scratch().states.reserve(std::min(contacts, max_reserved)); }
 
 ResponseReport ContactSolver::resolve(const ResponseParameters& parameters, Real h,
                                       std::span<const ClothInContact> cloths, std::span<Body> bodies,
