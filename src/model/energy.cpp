@@ -14,48 +14,39 @@ double dot(const Points& f, const Points& v, Eigen::Index particle) {
     return static_cast<double>(f.row(particle).dot(v.row(particle)));
 }
 
-/// @param first_ends of the springs
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
-                            const Points& x, const Points& v) {
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v) {
     SpringSums sums;
-    for (int j = first_ends.first_row; j < first_ends.end_row; ++j) {
-        for (int i = first_ends.first_column; i < first_ends.end_column; ++i) {
-            const int a = grid.particle(i, j), b = a + springs.offset(grid);
-            const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
-            const auto length = static_cast<double>(d.norm());
-            sums.squared_elongations += square(length - static_cast<double>(springs.rest_length));
-            if (length > 0) sums.squared_closing_speeds += square(static_cast<double>(d.dot(w)) / length);
-        }
-    }
+    springs.for_each(grid, [&](int a, int b) {
+        const Vec3 d = x.row(a) - x.row(b), w = v.row(a) - v.row(b);
+        const auto length = static_cast<double>(d.norm());
+        sums.squared_elongations += square(length - static_cast<double>(springs.rest_length));
+        if (length > 0) sums.squared_closing_speeds += square(static_cast<double>(d.dot(w)) / length);
+    });
     return sums;
 }
 
-ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v) {
+ParticleSums sum_over_particles(const Grid& grid, const Points& x, const Points& v) {
     ParticleSums sums;
-    for (int j = range.first_row; j < range.end_row; ++j) {
-        for (int i = range.first_column; i < range.end_column; ++i) {
-            sums.positions += x.row(grid.particle(i, j)).cast<double>().transpose();
-            sums.squared_speeds += v.row(grid.particle(i, j)).cast<double>().squaredNorm();
-        }
+    for (int p = 0; p < grid.particles(); ++p) {
+        sums.positions += x.row(p).cast<double>().transpose();
+        sums.squared_speeds += v.row(p).cast<double>().squaredNorm();
     }
     return sums;
 }
 
 }  // namespace
 
-EnergyFlow compute_energy_around(const ClothModel& model, const Points& x, const Points& v, const GridRange& range,
-                                 Kernels kernels) {
+EnergyFlow compute_dissipation(const ClothModel& model, const Points& x, const Points& v, Kernels kernels) {
     const bool plain = kernels == Kernels::Plain;
     const auto mass = static_cast<double>(model.particle_mass);
-    const ParticleSums particles = (plain ? sum_over_particles : kernels::sum_over_particles)(model.grid, range, x, v);
+    const ParticleSums particles = (plain ? sum_over_particles : kernels::sum_over_particles)(model.grid, x, v);
     EnergyFlow flow;
     flow.energy.kinetic = mass / 2 * particles.squared_speeds;
     flow.energy.gravity = -mass * model.gravity.cast<double>().dot(particles.positions);
     flow.power.drag = static_cast<double>(model.drag) * particles.squared_speeds;
     for (const SpringStencil& springs : spring_stencils(model)) {
         if (springs.law == SpringLaw{}) continue;
-        const SpringSums sums = (plain ? sum_over_springs : kernels::sum_over_springs)(
-            springs, model.grid, springs.around(range, model.grid), x, v);
+        const SpringSums sums = (plain ? sum_over_springs : kernels::sum_over_springs)(springs, model.grid, x, v);
         flow.energy.spring += static_cast<double>(springs.law.stiffness) / 2 * sums.squared_elongations;
         flow.power.damping += static_cast<double>(springs.law.damping) * sums.squared_closing_speeds;
     }
@@ -63,12 +54,12 @@ EnergyFlow compute_energy_around(const ClothModel& model, const Points& x, const
 }
 
 Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels) {
-    return compute_energy_around(model, state.x, state.v, whole(model.grid), kernels).energy;
+    return compute_dissipation(model, state.x, state.v, kernels).energy;
 }
 
 EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const Points& v, Points& wind,
                                Kernels kernels) {
-    EnergyFlow flow = compute_energy_around(model, x, v, whole(model.grid), kernels);
+    EnergyFlow flow = compute_dissipation(model, x, v, kernels);
     Power& power = flow.power;
     const bool windy = model.air.density > 0;
     if (windy) {

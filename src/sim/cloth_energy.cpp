@@ -18,22 +18,9 @@ constexpr double pause = 0.1;
 
 double allowed(double lift, double in_motion) { return of_lift * lift + of_motion * in_motion; }
 
-/// The smallest range that holds all particles that are pushed; empty if none is.
-GridRange range_of(const Pushes& pushes, const Grid& grid) {
-    GridRange range{grid.nx, 0, grid.ny, 0};
-    const auto include = [&](int particle) {
-        const int i = particle % grid.nx, j = particle / grid.nx;
-        range.first_column = std::min(range.first_column, i);
-        range.end_column = std::max(range.end_column, i + 1);
-        range.first_row = std::min(range.first_row, j);
-        range.end_row = std::max(range.end_row, j + 1);
-    };
-    for (const ContactRow& row : pushes.rows) {
-        for (const RowParticle& p : row.moved()) {
-            if (p.cloth == pushes.cloth) include(p.particle);
-        }
-    }
-    return range;
+/// Whether a contact pushes a cloth.
+bool moves(const ContactRow& row, int cloth) {
+    return std::ranges::any_of(row.moved(), [&](const RowParticle& p) { return p.cloth == cloth; });
 }
 
 /// The most energy that pushing contacts out puts into springs at rest [J]: each moves three particles by no more than
@@ -42,7 +29,7 @@ GridRange range_of(const Pushes& pushes, const Grid& grid) {
 double max_push_work(const ClothModel& model, const Pushes& pushes) {
     double squared_push = 0;
     for (const ContactRow& row : pushes.rows) {
-        if (std::ranges::none_of(row.moved(), [&](const RowParticle& p) { return p.cloth == pushes.cloth; })) continue;
+        if (!moves(row, pushes.cloth)) continue;
         if (row.kind == RowKind::Pair) return std::numeric_limits<double>::infinity();
         if (pushes.known) continue;
         const double push = std::max(static_cast<double>(correction_of(row, pushes.bodies)), 0.0);
@@ -150,7 +137,7 @@ StretchReport ClothEnergy::limit_stretch(const ClothModel& model, int grabbed, C
 
 /// What pushing stretches the springs by is work too. Mostly it is next to nothing, and a bound of it will do.
 void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state, const Pushes& pushes) {
-    pushed_ = range_of(pushes, model.grid);
+    pushed_ = std::ranges::any_of(pushes.rows, [&](const ContactRow& row) { return moves(row, pushes.cloth); });
     loss_ = &EnergyBalance::contact;
     known_ = pushes.known;
     max_push_work_ = max_push_work(model, pushes);
@@ -158,7 +145,7 @@ void ClothEnergy::before_pushes(const ClothModel& model, const ClothState& state
 }
 
 void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) {
-    pushed_ = whole(model.grid);
+    pushed_ = true;
     loss_ = &EnergyBalance::failsafe;
     known_ = false;
     max_push_work_ = std::numeric_limits<double>::infinity();
@@ -166,7 +153,7 @@ void ClothEnergy::before_hold(const ClothModel& model, const ClothState& state) 
 }
 
 void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state, double ball_work) {
-    if (!is_pushed()) return;
+    if (!pushed_) return;
     const EnergyFlow after = pushed_flow(model, state);
     const double work = after.energy.total() - before_.energy.total();
     const bool measured = max_push_work_ > watch_.small_work();
@@ -174,11 +161,10 @@ void ClothEnergy::after_pushes(const ClothModel& model, const ClothState& state,
     if (ledger_) ledger_->responded(loss_, known_ ? after : before_, after, ball_work);
 }
 
-/// Of what is being pushed, where it is to be measured.
+/// Where it is to be measured what pushes do.
 EnergyFlow ClothEnergy::pushed_flow(const ClothModel& model, const ClothState& state) const {
     const bool measured = ledger_ || max_push_work_ > watch_.small_work();
-    if (!measured || !is_pushed()) return {};
-    return compute_energy_around(model, state.x, state.v, pushed_, kernels_);
+    return measured && pushed_ ? compute_dissipation(model, state.x, state.v, kernels_) : EnergyFlow();
 }
 
 void ClothEnergy::still(const ClothModel& model, const ClothState& state) {

@@ -23,7 +23,7 @@ struct Power {
     double pins = 0;     ///< what of that pins that move give, once it is told apart
 };
 
-/// @par Cost O(n), as a force evaluation; sums run in a fixed order
+/// @par Cost as `compute_dissipation`
 Energy compute_energy(const ClothModel& model, const ClothState& state, Kernels kernels);
 
 /// The most that the wind can give a cloth, whatever its motion [W]. A plate that yields to a wind W with the speed w
@@ -37,6 +37,10 @@ struct EnergyFlow {
     Power power;
 };
 
+/// But for the power of wind, hand and pins.
+/// @par Cost O(n), as a force evaluation; sums run in a fixed order
+EnergyFlow compute_dissipation(const ClothModel& model, const Points& x, const Points& v, Kernels kernels);
+
 /// @param wind n x 3, overwritten where wind blows: its forces [N]
 /// @par Cost O(n), as a force evaluation, and somewhat more where wind blows
 EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const Points& v, Points& wind,
@@ -45,11 +49,5 @@ EnergyFlow compute_energy_flow(const ClothModel& model, const Points& x, const P
 /// The energy a second that whatever moves a held particle puts in at a moment [W]: the work against the forces of
 /// springs, air and gravity on that particle, but for the wind's; less than zero where they pull it along.
 double held_power(const ClothModel& model, const Points& x, const Points& v, int particle);
-
-/// What changes where the particles of a range alone move: their energy, that of the springs at them, and of the power
-/// what springs and drag take. The energy of some springs beside the range is in it too.
-/// @par Cost that of the range
-EnergyFlow compute_energy_around(const ClothModel& model, const Points& x, const Points& v, const GridRange& range,
-                                 Kernels kernels);
 
 }  // namespace drape

@@ -58,13 +58,4 @@ void for_each_cell_of(const CellRange& cells, Visit visit) {
     }
 }
 
-/// The particles of columns first_column to end_column - 1 in rows first_row to end_row - 1.
-struct GridRange {
-    int first_column, end_column;
-    int first_row, end_row;
-};
-
-/// All particles of a grid.
-inline GridRange whole(const Grid& grid) { return {0, grid.nx, 0, grid.ny}; }
-
 }  // namespace drape

@@ -43,14 +43,6 @@ struct SpringStencil {
     void for_each(const Grid& grid, Visit visit) const {
         for_each(grid, 0, grid.ny, visit);
     }
-
-    /// The first ends of all springs with an end in a range, and of some others beside it.
-    [[nodiscard]] GridRange around(const GridRange& range, const Grid& grid) const {
-        const int first = first_column();
-        return {std::max(range.first_column - std::max(di, 0), first),
-                std::min(range.end_column - std::min(di, 0), first + count(grid)), std::max(range.first_row - dj, 0),
-                std::min(range.end_row, rows(grid))};
-    }
 };
 
 /// The springs of one direction whose first ends are in some rows of a cloth.

@@ -153,7 +153,6 @@ public:
 
 private:
     EnergyFlow flow(const ClothModel& model, const ClothState& state);
-    [[nodiscard]] bool is_pushed() const { return pushed_.first_column < pushed_.end_column; }
     [[nodiscard]] EnergyFlow pushed_flow(const ClothModel& model, const ClothState& state) const;
 
     Kernels kernels_ = Kernels::Plain;
@@ -161,7 +160,7 @@ private:
     std::optional<EnergyLedger> ledger_, marked_;
     bool has_pins_ = false;
     int grabbed_ = -1;                       ///< particle that the hand leads
-    GridRange pushed_{0, 0, 0, 0};           ///< about the particles that are being pushed
+    bool pushed_ = false;                    ///< by the contacts or the fail-safe at hand
     EnergyFlow before_;                      ///< of what contacts or the fail-safe are about to push
     double EnergyBalance::*loss_ = nullptr;  ///< the entry for what this dissipates
     bool known_ = false;

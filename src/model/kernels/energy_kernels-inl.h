@@ -27,15 +27,14 @@ HWY_INLINE void add_run(double* values, int count, Lanes& sums) {
     }
 }
 
-/// Adds up p or its square over a range.
+/// Adds up p or its square, row by row.
 template <bool squared>
-HWY_INLINE double sum_of(const Real* p, const Grid& grid, const GridRange& range) {
+HWY_INLINE double sum_of(const Real* p, const Grid& grid) {
     Lanes sums{};
-    const int count = range.end_column - range.first_column;
-    for (int j = range.first_row; j < range.end_row; ++j) {
-        const int first = grid.particle(range.first_column, j);
-        for (int start = 0; start < count; start += run_length) {
-            const int length = std::min(run_length, count - start);
+    for (int j = 0; j < grid.ny; ++j) {
+        const int first = grid.particle(0, j);
+        for (int start = 0; start < grid.nx; start += run_length) {
+            const int length = std::min(run_length, grid.nx - start);
             double values[run_length];
             for (int i = 0; i < length; ++i) {
                 const double value = static_cast<double>(p[first + start + i]);
@@ -47,23 +46,22 @@ HWY_INLINE double sum_of(const Real* p, const Grid& grid, const GridRange& range
     return total(sums);
 }
 
-ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& positions,
-                                const Points& velocities) {
+ParticleSums sum_over_particles(const Grid& grid, const Points& positions, const Points& velocities) {
     const auto [x, y, z] = axes(positions);
     const auto [u, v, w] = axes(velocities);
-    const auto squares = sum_of<true>(u, grid, range) + sum_of<true>(v, grid, range) + sum_of<true>(w, grid, range);
-    return {{sum_of<false>(x, grid, range), sum_of<false>(y, grid, range), sum_of<false>(z, grid, range)}, squares};
+    const auto squares = sum_of<true>(u, grid) + sum_of<true>(v, grid) + sum_of<true>(w, grid);
+    return {{sum_of<false>(x, grid), sum_of<false>(y, grid), sum_of<false>(z, grid)}, squares};
 }
 
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
-                            const Points& positions, const Points& velocities) {
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& positions,
+                            const Points& velocities) {
     const auto [x, y, z] = axes(positions);
     const auto [u, v, w] = axes(velocities);
     const auto rest = static_cast<double>(springs.rest_length);
-    const int count = first_ends.end_column - first_ends.first_column, offset = springs.offset(grid);
+    const int count = springs.count(grid), offset = springs.offset(grid);
     Lanes elongations{}, speeds{};
-    for (int j = first_ends.first_row; j < first_ends.end_row; ++j) {
-        const int first = grid.particle(first_ends.first_column, j);
+    for (int j = 0; j < springs.rows(grid); ++j) {
+        const int first = grid.particle(springs.first_column(), j);
         for (int start = 0; start < count; start += run_length) {
             const int length = std::min(run_length, count - start);
             double elongation[run_length], speed[run_length];
@@ -92,13 +90,12 @@ namespace drape::kernels {
 HWY_EXPORT(sum_over_springs);
 HWY_EXPORT(sum_over_particles);
 
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
-                            const Points& x, const Points& v) {
-    return HWY_DYNAMIC_DISPATCH(sum_over_springs)(springs, grid, first_ends, x, v);
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v) {
+    return HWY_DYNAMIC_DISPATCH(sum_over_springs)(springs, grid, x, v);
 }
 
-ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v) {
-    return HWY_DYNAMIC_DISPATCH(sum_over_particles)(grid, range, x, v);
+ParticleSums sum_over_particles(const Grid& grid, const Points& x, const Points& v) {
+    return HWY_DYNAMIC_DISPATCH(sum_over_particles)(grid, x, v);
 }
 
 }  // namespace drape::kernels

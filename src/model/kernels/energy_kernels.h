@@ -19,10 +19,8 @@ struct ParticleSums {
 namespace kernels {
 
 /// Sums run in eight lanes, whatever the width of the vectors.
-/// @param first_ends of the springs
-SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const GridRange& first_ends,
-                            const Points& x, const Points& v);
-ParticleSums sum_over_particles(const Grid& grid, const GridRange& range, const Points& x, const Points& v);
+SpringSums sum_over_springs(const SpringStencil& springs, const Grid& grid, const Points& x, const Points& v);
+ParticleSums sum_over_particles(const Grid& grid, const Points& x, const Points& v);
 
 }  // namespace kernels
 }  // namespace drape
