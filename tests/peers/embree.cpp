@@ -93,8 +93,8 @@ private:
     }
 
     void take_corners() {
-        using RowPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
-        Eigen::Map<RowPoints>(corners_, x_.rows(), 3) = x_.cast<float>();
+        using FloatRows = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+        Eigen::Map<FloatRows>(corners_, x_.rows(), 3) = x_.cast<float>();
     }
 
     static bool collect_triangle(RTCPointQueryFunctionArguments* found) {
