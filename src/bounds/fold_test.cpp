@@ -5,17 +5,11 @@
 #include <limits>
 #include <numeric>
 
-#include "bounds/kernels/patch_kernels.h"
-#include "model/kernels/axes.h"
-
 namespace drape {
 namespace {
 
 /// Of what a bound loses by rounding, far more than it can.
 constexpr Real fold_rounding = 256 * std::numeric_limits<Real>::epsilon();
-
-/// Room for a change of shape that every leaf gets, of the derivative: cloth at rest stays within it for long.
-constexpr Real least_room = Real(0.01);
 
 /// The two directions at right angles that are nearest to the columns of F: Q = F R^-1 with R = sqrt(F^T F), the
 /// rotation of the polar decomposition. Zero if F has no such.
@@ -55,74 +49,36 @@ FoldTest::FoldTest(const Grid& grid, Real hx, Real hy, int leaf_cells)
     std::ranges::sort(by_corner_, {}, [&](int n) { return corner_of(nodes_[static_cast<std::size_t>(n)]); });
 }
 
-template <class OfLeaf>
-void FoldTest::build_nodes(OfLeaf of_leaf) {
+void FoldTest::build(const Points& x, std::span<const Real> reaches) {
     for (std::size_t n = nodes_.size(); n-- > 0;) {
         const QuadtreeNode& node = nodes_[n];
         if (node.children == 0) {
-            derivatives_[n] = of_leaf(node);
+            derivatives_[n] = of_leaf(node, x, reaches);
             continue;
         }
         const auto first = static_cast<std::size_t>(node.first_child);
         Derivatives all = derivatives_[first];
         for (std::size_t child = 1; child < static_cast<std::size_t>(node.children); ++child) {
             all.include(derivatives_[first + child]);
+            all.reach = std::max(all.reach, derivatives_[first + child].reach);
         }
         derivatives_[n] = all;
     }
 }
 
-void FoldTest::build(const Points& x) {
-    apart_ = std::numeric_limits<Real>::infinity();
-    build_nodes([&](const QuadtreeNode& leaf) { return of_leaf(leaf, x); });
-}
-
-void FoldTest::build(const Points& x, const Points& to, Real substeps, Real apart) {
-    apart_ = apart;
-    for (std::vector<Real>& room : room_) {
-        room.assign(static_cast<std::size_t>(grid_.particles()), std::numeric_limits<Real>::infinity());
-    }
-    moved_ = to - x;
-    build_nodes([&](const QuadtreeNode& leaf) {
-        Derivatives all = of_leaf(leaf, x);
-        const Derivatives later = of_leaf(leaf, moved_);
-        const auto largest = [](const Aabb& box) { return box.low.cwiseAbs().cwiseMax(box.high.cwiseAbs()).norm(); };
-        all.change = least_room + substeps * std::max(largest(later.along), largest(later.across));
-        if (bounds(all, apart_)) give_room(leaf, all.change);
-        return all;
-    });
-}
-
-/// To the edges of a leaf, of which those at its sides are others' too.
-void FoldTest::give_room(const QuadtreeNode& leaf, Real change) {
-    const auto give = [&](std::vector<Real>& room, int p, Real length) {
-        Real& limit = room[static_cast<std::size_t>(p)];
-        limit = std::min(limit, change * change * length * length);
-    };
-    for (int j = leaf.j0; j <= leaf.j1; ++j) {
-        for (int i = leaf.i0; i <= leaf.i1; ++i) {
-            if (i < leaf.i1) give(room_[0], grid_.particle(i, j), hx_);
-            if (j < leaf.j1) give(room_[1], grid_.particle(i, j), hy_);
-        }
-    }
-}
-
-bool FoldTest::holds(const Points& from, const Points& x) const {
-    return kernels::edges_within(kernels::axes(from), kernels::axes(x), 1, grid_.particles() - 1, room_[0].data()) &&
-           kernels::edges_within(kernels::axes(from), kernels::axes(x), grid_.nx, grid_.particles() - grid_.nx,
-                                 room_[1].data());
-}
-
-FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x) const {
+FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x,
+                                        std::span<const Real> reaches) const {
     const auto derivative = [&](int from, int to, Real length) -> Vec3 {
         return (x.row(to) - x.row(from)).transpose() / length;
     };
     const int corner = grid_.particle(leaf.i0, leaf.j0);
     const Vec3 along = derivative(corner, corner + 1, hx_), across = derivative(corner, corner + grid_.nx, hy_);
-    Derivatives all{{along, along}, {across, across}, 0};
+    const Real at_first = reaches.empty() ? std::numeric_limits<Real>::infinity() : 0;
+    Derivatives all{{along, along}, {across, across}, at_first};
     for (int j = leaf.j0; j <= leaf.j1; ++j) {
         for (int i = leaf.i0; i <= leaf.i1; ++i) {
             const int p = grid_.particle(i, j);
+            if (!reaches.empty()) all.reach = std::max(all.reach, reaches[static_cast<std::size_t>(p)]);
             if (i < leaf.i1) all.along.include(derivative(p, p + 1, hx_));
             if (j < leaf.j1) all.across.include(derivative(p, p + grid_.nx, hy_));
         }
@@ -132,7 +88,7 @@ FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& 
 
 /// The least eigenvalue of the symmetric part of Q^T F is c.
 bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
-    const auto& [along, across, change] = derivatives;
+    const auto& [along, across, reach] = derivatives;
     const Eigen::Matrix<Real, 3, 2> q =
         nearest_directions((along.low + along.high) / 2, (across.low + across.high) / 2);
     const Vec3 u = q.col(0), v = q.col(1);
@@ -141,8 +97,8 @@ bool FoldTest::bounds(const Derivatives& derivatives, Real distance) const {
     const Real lowest = least_along(v, along) + least_along(u, across);
     const Real m12 = std::max(std::abs(most), std::abs(lowest)) / 2, half = (m11 - m22) / 2;
     const Real c = (m11 + m22) / 2 - std::sqrt(half * half + m12 * m12);
-    const Real least = c - std::sqrt(Real(2)) * change - fold_rounding;
-    return least * apart_at_rest(hx_, hy_) > std::min(distance, apart_);
+    const Real least = c - fold_rounding;
+    return least * apart_at_rest(hx_, hy_) > std::min(distance, 2 * reach);
 }
 
 bool FoldTest::node_is_separated(int node, Real distance) const {
@@ -173,7 +129,7 @@ bool FoldTest::nodes_are_separated(int first, int second, Real distance) const {
     const std::array<int, 2> others = side_by_side ? std::array{first, second} : at_corner_of(first, second);
     if (others[0] < 0) return false;
     const Derivatives &one = of(first), &two = of(second);
-    Derivatives all = one;
+    Derivatives all{one.along, one.across, (one.reach + two.reach) / 2};
     all.include(two);
     for (const int other : others) all.include(of(other));
     return bounds(all, distance);

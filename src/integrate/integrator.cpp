@@ -57,7 +57,8 @@ double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid)
     const double log_n = std::bit_width(static_cast<unsigned>(grid.particles()));
     double of_particle = sizeof(Real) * method.numbers;
     if (method.keeps == Keeps::ScalarFactors) of_particle += 150 * log_n;
-    if (method.keeps == Keeps::NewtonSystem) of_particle += 1200;
+    // The rows of multigrid are made long for vectors
+    if (method.keeps == Keeps::NewtonSystem) of_particle += 1000 + 20'000.0 / grid.nx;
     if (method.keeps == Keeps::NewtonSystem && NewtonSystem::keeps_factors(grid, parameters.hessian)) {
         of_particle += 600 * log_n;
     }

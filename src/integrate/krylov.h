@@ -65,7 +65,7 @@ public:
         }
         const Real recursive = r_.norm(), size = b.norm();
         report.residual = residual_of(b, x, apply, q_);
-        const bool drifted = report.residual * size > drift * recursive;
+        const bool drifted = report.residual > limits.tolerance && report.residual * size > drift * recursive;
         report.unconverged = rz >= 0 && rz <= enough && !drifted ? 0 : 1;
         return report;
     }

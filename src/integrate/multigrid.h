@@ -36,6 +36,9 @@ public:
         unknowns_.resize(unknowns);
     }
 
+    Multigrid(const Multigrid&) = delete;  // levels share its threads
+    Multigrid& operator=(const Multigrid&) = delete;
+
     /// Takes the matrix. Nothing is kept of the one before.
     /// @param jacobian clamped
     /// @par Cost O(n)
@@ -45,7 +48,7 @@ public:
         for (int p = 0; p < grid.particles(); ++p) {
             if (model.pinned(p)) pinned_.push_back(p);
         }
-        for (Level& level : levels_) std::ranges::fill(level.matrix.numbers.all(), 0.0F);
+        for (Level& level : levels_) level.clear();
         const auto add = [&](std::size_t kind, const Level::Blocks& terms) {
             const auto row = [&](int j, int e) { return terms.col(e).data() + grid.particle(0, j); };
             levels_[0].add(kind, row);

@@ -207,6 +207,12 @@ struct MultigridLevel {
         }
     }
 
+    /// Forgets matrix and vectors: what is no number would stay among the zeros beside rows.
+    void clear() {
+        std::ranges::fill(matrix.numbers.all(), 0.0F);
+        for (Runs* vectors : {&x, &b, &residual, &step}) std::ranges::fill(vectors->all(), 0.0F);
+    }
+
     /// Adds all terms of a kind to the blocks that they belong to. Threads have entries of their own.
     /// @param terms terms(j, e) has entry e of them in a row, by their first nodes on the finer level
     template <class Terms>
@@ -369,7 +375,6 @@ struct MultigridLevel {
             for (const float one : of.all()) squares += static_cast<double>(one) * one;
             return std::sqrt(squares);
         };
-        std::ranges::fill(b.all(), 0.0F);
         bound = 0;
         for (int round = 0; round < rounds; ++round) {
             sweep(std::array{step_of(&x, b, step, 0, -1)});

@@ -20,7 +20,7 @@ constexpr Real pairs_of_half = 8;
 
 /// A margin for displacement is at most so many of the particles' spacings: each particle has neighbours at about the
 /// spacing, which a wide margin would list.
-constexpr Real max_spacings = Real(0.4);
+constexpr Real max_spacings = Real(0.15);
 
 /// How much of the thickness besides, for what is at rest.
 constexpr Real thickness_ahead = Real(0.3);
@@ -224,22 +224,12 @@ Real SelfSearch::sum_of_largest(const FeaturePair& pair, const Numbers& of_parti
 
 Real SelfSearch::reach_of(const NearPair& pair) const { return sum_of_largest(pair.features, reaches_); }
 
-/// Whether there is a list, nothing has strayed farther than it has margins for, and no patch of cloth that was left
-/// out has changed its shape too much.
-bool SelfSearch::list_holds(std::span<const ClothInContact> cloths, const Numbers& strayed) const {
-    if (!listed_ || !(strayed <= allowance_).all()) return false;
-    for (std::size_t c = 0; c < cloths.size(); ++c) {
-        if (!surfaces_[c].folds.holds(surfaces_[c].kept, cloths[c].state.x)) return false;
-    }
-    return true;
-}
-
 const SelfSearchReport& SelfSearch::find(std::span<const ClothInContact> cloths, Real thickness) {
     report_ = {};
     thickness_ = thickness;
     find_mean_motion(cloths);
     find_reaches(cloths, response_allowance, reaches_, displacement_since_list_);
-    if (!list_holds(cloths, displacement_since_list_)) renew_list(cloths, response_allowance);
+    if (!listed_ || !(displacement_since_list_ <= allowance_).all()) renew_list(cloths, response_allowance);
     if (!report_.gave_up) look_at_pairs(cloths);
     return report_;
 }
@@ -260,11 +250,10 @@ void SelfSearch::find_contacts(const ResponseParameters& parameters, std::span<c
 bool SelfSearch::extend(std::span<const ClothInContact> cloths) {
     // Half of the thickness is what features that were not found keep between them
     find_reaches(cloths, 1, more_reaches_, more_strayed_);
-    const bool holds = list_holds(cloths, more_strayed_);
-    if (holds && (more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
+    if ((more_reaches_ - thickness_ / 4 <= reaches_).all()) return false;
     reaches_ = reaches_.max(more_reaches_);
     displacement_since_list_ = displacement_since_list_.max(more_strayed_);
-    if (!holds) renew_list(cloths, 1);
+    if (!listed_ || !(more_strayed_ <= allowance_).all()) renew_list(cloths, 1);
     if (!report_.gave_up) look_at_pairs(cloths);
     return !report_.gave_up;
 }
@@ -316,7 +305,7 @@ void SelfSearch::make_list(std::span<const ClothInContact> cloths) {
         Surface& surface = surfaces_[c];
         surface.kept = cloths[c].before;
         surface.tree->build(surface.kept);
-        surface.folds.build(surface.kept, cloths[c].state.x, ahead_ * response_allowance, thickness_);
+        surface.folds.build(surface.kept, allowances(static_cast<int>(c)));
         surface.boxed = false;
     }
     kept_mean_ = mean_;

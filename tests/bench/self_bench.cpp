@@ -99,7 +99,7 @@ void self_broad_phase(benchmark::State& state, int side) {
         stats = {};
         for (std::size_t c = 0; c < count; ++c) {
             trees[c]->build(sheets.before[c]);
-            folds[c].build(sheets.before[c], sheets.cloths[c].state.x, 18, sheets.thickness);  // 18: of a first list
+            folds[c].build(sheets.before[c], search.allowances(static_cast<int>(c)));
         }
         for (std::size_t a = 0; a < count; ++a) {
             for (std::size_t b = a; b < count; ++b) {

@@ -5,8 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-
+#include <limits>
 #include <random>
+
 #include "drape/base/exact_math.h"
 #include "integrate/grid_factor.h"
 #include "integrate/krylov.h"
@@ -122,6 +123,52 @@ TEST(Multigrid, HasTheSameBitsByPlainCode) {
         solve(system, b, plain, Real(1e-6), Kernels::Plain);
         EXPECT_EQ(x, plain) << grid.nx;
     }
+}
+
+/// A cycle for a system.
+Points cycle_of(Multigrid& multigrid, const System& system, const Points& b) {
+    Points z(b.rows(), 3);
+    multigrid.build(system.model, system.jacobian, system.s * system.s, system.s);
+    multigrid.cycle(b, z);
+    return z;
+}
+
+TEST(Multigrid, ForgetsWhatWasNoNumber) {
+    for (const Grid& grid : {Grid{33, 30}, {2, 200}, {21, 19}}) {
+        const System system(grid, 1000, {Pins::Kind::Two, {}}, Real(0.01));
+        const Points b = system.random_side();
+        Points bad = b;
+        bad(grid.nx + 1, 1) = std::numeric_limits<Real>::quiet_NaN();
+        Multigrid fresh(grid, Kernels::Vector), used(grid, Kernels::Vector);
+        cycle_of(used, system, bad);
+        EXPECT_EQ(cycle_of(used, system, b), cycle_of(fresh, system, b)) << grid.nx;
+    }
+}
+
+TEST(Multigrid, ForgetsSpringsThatAreGone) {
+    const Grid grid{30, 30};
+    System used(grid, 1000, {Pins::Kind::Two, {}}, Real(0.01));
+    used.model.bend = {};
+    used.jacobian.linearise(used.model, used.state.x, used.state.v);
+    System fresh = used;
+    fresh.jacobian = Jacobian(grid, Hessian::Clamped, Kernels::Vector);
+    fresh.jacobian.linearise(fresh.model, fresh.state.x, fresh.state.v);
+    const Points b = used.random_side();
+    Multigrid one(grid, Kernels::Vector), other(grid, Kernels::Vector);
+    EXPECT_EQ(cycle_of(one, used, b), cycle_of(other, fresh, b));
+}
+
+// The last iteration takes the residual of the recursion far below what rounding leaves of the true one.
+TEST(ConjugateGradients, HaveConvergedWhereTheyEndBelowRounding) {
+    Points b = Points::Ones(30, 3), x(30, 3);
+    krylov::ConjugateGradients gradients(30);
+    const auto apply = [](const Points& u, Points& y) {
+        for (Eigen::Index p = 0; p < u.rows(); ++p) y.row(p) = static_cast<Real>(1 + p % 3) / 3 * u.row(p);
+    };
+    const SolveReport report =
+        gradients.solve(b, x, {Real(1e-4), 200}, apply, [](const Points& r, Points& z) { z = r; });
+    EXPECT_EQ(report.unconverged, 0);
+    EXPECT_LE(report.iterations, 4);
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ public:
     ClothIntegrator& operator=(ClothIntegrator&&) noexcept = default;
     ~ClothIntegrator() = default;
 
-    /// Takes a new one, that knows of no step before unless there are other threads alone.
+    /// Takes a new one, which knows of no step before unless only the number of threads differs.
     void use(const IntegratorParameters& parameters, const Grid& grid) {
         parameters_.threads = parameters.threads;
-        before_ = integrator_ && parameters == parameters_ ? integrator_->step_before() : StepBefore{};
+        if (integrator_) before_ = integrator_->step_before();
+        if (parameters != parameters_) before_ = {};
         parameters_ = parameters;
         integrator_ = make_integrator(parameters_, grid);
         if (before_.h > 0) integrator_->resume_after(before_);

@@ -109,7 +109,6 @@ private:
     template <class Count>
     std::int64_t count_between(std::span<const ClothInContact> cloths, Real reach, Count count);
     void find_reaches(std::span<const ClothInContact> cloths, Real factor, Numbers& reaches, Numbers& strayed);
-    [[nodiscard]] bool list_holds(std::span<const ClothInContact> cloths, const Numbers& strayed) const;
     void find_mean_motion(std::span<const ClothInContact> cloths);
     [[nodiscard]] Real next_ahead() const;
     void set_allowances(Real factor);

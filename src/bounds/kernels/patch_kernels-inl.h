@@ -152,30 +152,6 @@ void extents_along_of(const Patch& patch, const Vec3& origin, const BoxAxes& axe
     });
 }
 
-bool edges_within_of(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next,
-                     int count, const Real* limits) {
-    const hn::CappedTag<Real, 16> d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const auto within = [&](auto tag, int p) HWY_ATTR {
-        auto square = hn::Zero(tag);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto now = hn::Sub(hn::LoadU(tag, x[k] + p + to_next), hn::LoadU(tag, x[k] + p));
-            const auto then = hn::Sub(hn::LoadU(tag, from[k] + p + to_next), hn::LoadU(tag, from[k] + p));
-            const auto change = hn::Sub(now, then);
-            square = hn::Add(square, hn::Mul(change, change));
-        }
-        return hn::AllTrue(tag, hn::Le(square, hn::LoadU(tag, limits + p)));
-    };
-    int p = 0;
-    for (; p + lanes <= count; p += lanes) {
-        if (!within(d, p)) return false;
-    }
-    for (; p < count; ++p) {
-        if (!within(hn::CappedTag<Real, 1>(), p)) return false;
-    }
-    return true;
-}
-
 }  // namespace drape::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -186,7 +162,6 @@ HWY_EXPORT(sums_of);
 HWY_EXPORT(raise_to_farthest_of);
 HWY_EXPORT(dop_extents_of);
 HWY_EXPORT(extents_along_of);
-HWY_EXPORT(edges_within_of);
 
 PatchSums sums(const Patch& patch) { return HWY_DYNAMIC_DISPATCH(sums_of)(patch); }
 
@@ -200,11 +175,6 @@ void dop_extents(const Patch& patch, int slabs, Real* low, Real* high) {
 
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high) {
     HWY_DYNAMIC_DISPATCH(extents_along_of)(patch, origin, axes, low, high);
-}
-
-bool edges_within(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next, int count,
-                  const Real* limits) {
-    return HWY_DYNAMIC_DISPATCH(edges_within_of)(from, x, to_next, count, limits);
 }
 
 }  // namespace drape::kernels

@@ -45,12 +45,6 @@ void dop_extents(const Patch& patch, int slabs, Real* low, Real* high);
 /// @param low, high receive 3 each
 void extents_along(const Patch& patch, const Vec3& origin, const BoxAxes& axes, Real* low, Real* high);
 
-/// Whether none of the edges from `count` particles to those `to_next` later has changed by more than its limit.
-/// @param from, x by coordinate, at the first of the particles
-/// @param limits squared [m^2]
-bool edges_within(const std::array<const Real*, 3>& from, const std::array<const Real*, 3>& x, int to_next, int count,
-                  const Real* limits);
-
 /// Fits a centroid sphere to all particles of each node of a quadtree, all levels in one pass over the particles: a
 /// node's mean is made from the sums of its leaves, and while a leaf's particles are at hand, their distances from the
 /// centres of all nodes above it are taken. The radii are those of the fit node by node about the same centres, bit for

@@ -34,8 +34,8 @@ void take_step_of(const StencilStep& step, int row) {
     const std::ptrdiff_t axis = static_cast<std::ptrdiff_t>(a.rows) * a.runs.length, first = a.runs.at(row);
     const auto of_u = hn::Set(d, step.of_u), of_r = hn::Set(d, step.of_r);
     const StencilTerms terms(a, row);
-    // With the zeros beside the nodes, which stay
-    for (int i = -StencilRuns::beside; i < a.runs.length - StencilRuns::beside; i += static_cast<int>(hn::Lanes(d))) {
+    // With zeros up to a whole vector, which stay
+    for (int i = 0; i < a.runs.nodes; i += static_cast<int>(hn::Lanes(d))) {
         const std::ptrdiff_t p = first + i;
         StencilVector product{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
         if (step.u != nullptr) {

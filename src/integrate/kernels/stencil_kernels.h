@@ -10,22 +10,22 @@
 
 namespace drape::kernels {
 
-/// Runs of numbers in single precision, each a number for every node of a grid's row, between zeros: enough for what a
-/// stencil reads beside a row, and for whole vectors of any processor.
+/// Runs of numbers in single precision, each a number for every node of a grid's row, and zeros up to a whole vector of
+/// any processor. Between two runs are zeros that a stencil reads beside a row, and that nothing writes: other threads
+/// may work on the rows next to it.
 struct StencilRuns {
-    static constexpr int lanes = 16, beside = 2;
+    static constexpr int lanes = 16;
 
+    int nodes;
     int length;  ///< from a run to the next
 
-    explicit StencilRuns(int nodes) : length((nodes + 2 * beside + lanes - 1) / lanes * lanes) {}
+    explicit StencilRuns(int of_row) : nodes(of_row), length((of_row + lanes - 1) / lanes * lanes + lanes) {}
 
     /// How many numbers some runs are, with what is read before the first and after the last.
     [[nodiscard]] std::size_t numbers(int runs) const { return static_cast<std::size_t>(at(runs)) + lanes; }
 
     /// Where the number of a run's first node stands.
-    [[nodiscard]] std::ptrdiff_t at(int run) const {
-        return lanes + beside + static_cast<std::ptrdiff_t>(run) * length;
-    }
+    [[nodiscard]] std::ptrdiff_t at(int run) const { return lanes + static_cast<std::ptrdiff_t>(run) * length; }
 };
 
 /// The numbers of some runs, of which each begins a line of the cache: what vectors are best loaded from.
