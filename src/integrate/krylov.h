@@ -6,8 +6,9 @@
 #include "drape/integrate/integrator.h"
 
 /// Solvers of linear systems. Their reports have the residual |b - A x| / |b|, measured at the end, for that of the
-/// recursion drifts. A solve is unconverged where the residual, in the norm that the solver stops in, is not within its
-/// tolerance then.
+/// recursion drifts. Conjugate gradients have converged where their recursion has, in the norm that they stop in, and
+/// the residual is within the tolerance or within `drift` times that of the recursion; biconjugate gradients, where it
+/// is within `drift` times the tolerance.
 namespace drape::krylov {
 
 /// When to stop: at a residual this much smaller than the right side, in the solver's own norm, or after so many
@@ -17,7 +18,7 @@ struct Limits {
     int iterations;
 };
 
-/// What is measured at the end may be this much more than the tolerance: the recursion that stops a solver drifts.
+/// What is measured at the end may be this many times as much: the recursion that stops a solver drifts.
 constexpr Real drift = 2;
 
 inline Real dot(const Points& a, const Points& b) { return a.cwiseProduct(b).sum(); }
@@ -27,7 +28,7 @@ template <class Apply>
 Real residual_of(const Points& b, const Points& x, Apply apply, Points& scratch) {
     apply(x, scratch);
     const Real size = b.norm();
-    return size > 0 ? (b - scratch).norm() / size : Real(0);
+    return size == 0 ? Real(0) : (b - scratch).norm() / size;
 }
 
 /// Solves A x = b, for a symmetric positive definite A, by preconditioned conjugate gradients.
@@ -65,7 +66,7 @@ public:
         }
         const Real recursive = r_.norm(), size = b.norm();
         report.residual = residual_of(b, x, apply, q_);
-        const bool drifted = report.residual > limits.tolerance && report.residual * size > drift * recursive;
+        const bool drifted = !(report.residual <= std::max(limits.tolerance, drift * recursive / size));
         report.unconverged = rz >= 0 && rz <= enough && !drifted ? 0 : 1;
         return report;
     }

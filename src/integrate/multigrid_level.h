@@ -207,7 +207,7 @@ struct MultigridLevel {
         }
     }
 
-    /// Forgets matrix and vectors: what is no number would stay among the zeros beside rows.
+    /// Forgets matrix and vectors. A NaN beside a row would stay there.
     void clear() {
         std::ranges::fill(matrix.numbers.all(), 0.0F);
         for (Runs* vectors : {&x, &b, &residual, &step}) std::ranges::fill(vectors->all(), 0.0F);
@@ -361,6 +361,7 @@ struct MultigridLevel {
     }
 
     /// By powers of D^-1 A on a vector that changes from node to node.
+    /// @pre `clear` was called, and b is still zero
     void find_bound() {
         for (int axis = 0; axis < 3; ++axis) {
             for (int j = 0; j < grid.ny; ++j) {

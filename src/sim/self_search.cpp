@@ -15,7 +15,8 @@ constexpr Real response_allowance = Real(1.5);
 constexpr Real max_ahead = 12, min_ahead = 3;
 
 /// With this many pairs a particle, margins are for half of `max_ahead`. It lies between those of `fold` of 64 x 64
-/// particles in steps of 0.1 ms, where 6 to 12 substeps cost the same, and in steps of 0.5 ms, where 3 to 4 are best.
+/// particles in steps of 0.1 ms, where 6 to 12 substeps cost the same, and in steps of 0.5 ms, where 3 to 4 are best;
+/// measured with margins of up to 0.4 spacings.
 constexpr Real pairs_of_half = 8;
 
 /// A margin for displacement is at most so many of the particles' spacings: each particle has neighbours at about the

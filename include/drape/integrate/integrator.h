@@ -68,7 +68,7 @@ struct SolveReport {
     int iterations = 0;    ///< of conjugate gradients, XPBD, projective dynamics, or inner steps of Dormand-Prince
     Real residual = 0;     ///< the largest
     Real tolerance = 0;    ///< to which it should have come; 0: there is none
-    int unconverged = 0;   ///< solves that did not come to within twice their tolerance, or inner steps taken above it
+    int unconverged = 0;   ///< solves that have not converged, see `krylov`, or inner steps taken above the tolerance
     bool gave_up = false;  ///< the step has not been made; the state is somewhere on the way
 
     SolveReport& operator+=(const SolveReport& other) {

@@ -67,7 +67,10 @@ public:
                        Blocks& blocks) const {
         using Scalar = typename Blocks::Scalar;
         const Family& family = families_[direction];
-        if (family.none()) return blocks.middleRows(first, count).setZero(), void();
+        if (family.none()) {
+            blocks.middleRows(first, count).setZero();
+            return;
+        }
         const auto terms = family.terms.middleRows(first, count).array();
         const auto across = k_scale * terms.col(3);
         const Real along = family.along(k_scale, d_scale);

@@ -49,7 +49,7 @@ public:
 
 private:
     IntegratorParameters parameters_;
-    StepBefore before_;  ///< of a copy that has made none yet
+    StepBefore before_;  ///< where there is no integrator yet
     std::unique_ptr<Integrator> integrator_;
 };
 

@@ -68,7 +68,7 @@ public:
     bool extend(std::span<const ClothInContact> cloths);
 
     /// After the response: whether features would meet within the substep, for all that it has done.
-    /// @param responded it may have moved something
+    /// @param responded whether anything may have moved cloth since `find`
     bool would_cross(std::span<const ClothInContact> cloths, bool responded);
 
     /// If so, holds them back.

@@ -11,7 +11,7 @@
 namespace drape::kernels {
 
 /// Runs of numbers in single precision, each a number for every node of a grid's row, and zeros up to a whole vector of
-/// any processor. Between two runs are zeros that a stencil reads beside a row, and that nothing writes: other threads
+/// any processor. Between two runs are zeros that a stencil reads beside a row, and that no step writes: other threads
 /// may work on the rows next to it.
 struct StencilRuns {
     static constexpr int lanes = 16;
