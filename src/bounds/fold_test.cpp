@@ -68,21 +68,21 @@ void FoldTest::build(const Points& x, std::span<const Real> reaches) {
 
 FoldTest::Derivatives FoldTest::of_leaf(const QuadtreeNode& leaf, const Points& x,
                                         std::span<const Real> reaches) const {
-    const auto derivative = [&](int from, int to, Real length) -> Vec3 {
-        return (x.row(to) - x.row(from)).transpose() / length;
-    };
+    const auto edge = [&](int from, int to) -> Vec3 { return (x.row(to) - x.row(from)).transpose(); };
     const int corner = grid_.particle(leaf.i0, leaf.j0);
-    const Vec3 along = derivative(corner, corner + 1, hx_), across = derivative(corner, corner + grid_.nx, hy_);
+    const Vec3 along = edge(corner, corner + 1), across = edge(corner, corner + grid_.nx);
     const Real at_first = reaches.empty() ? std::numeric_limits<Real>::infinity() : 0;
     Derivatives all{{along, along}, {across, across}, at_first};
     for (int j = leaf.j0; j <= leaf.j1; ++j) {
         for (int i = leaf.i0; i <= leaf.i1; ++i) {
             const int p = grid_.particle(i, j);
             if (!reaches.empty()) all.reach = std::max(all.reach, reaches[static_cast<std::size_t>(p)]);
-            if (i < leaf.i1) all.along.include(derivative(p, p + 1, hx_));
-            if (j < leaf.j1) all.across.include(derivative(p, p + grid_.nx, hy_));
+            if (i < leaf.i1) all.along.include(edge(p, p + 1));
+            if (j < leaf.j1) all.across.include(edge(p, p + grid_.nx));
         }
     }
+    for (Vec3* end : {&all.along.low, &all.along.high}) *end /= hx_;
+    for (Vec3* end : {&all.across.low, &all.across.high}) *end /= hy_;
     return all;
 }
 
