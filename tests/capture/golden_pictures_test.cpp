@@ -64,8 +64,7 @@ std::vector<Shown> all_scenes() {
     std::vector<Shown> all;
     const command::Set no_panel{"view.panel=off"};
     for (const std::string& scene : scene_names()) {
-        const double time = scene == "large" ? 0 : 0.2;  // its steps would take a minute
-        all.push_back({scene, {command::LoadScene{scene}, no_panel}, time, false});
+        all.push_back({scene, {command::LoadScene{scene}, no_panel}, 0.2, false});
     }
     for (const std::string look :
          {"palette=dusk", "palette=linen", "fabric=silk", "fabric=denim", "grid=false", "quality=fast"}) {

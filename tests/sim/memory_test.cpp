@@ -62,6 +62,7 @@ Settings lying_sheets(int side) {
         cloth.place = {0, std::exchange(height, height + Real(0.0045)), 0};
         cloth.width = cloth.height = 1;
     }
+    settings.contact.thickness = Real(0.004);
     settings.solver.dt = 1e-4;
     settings.solver.threads = 4;
     settings.solver.sleep_speed = 0;

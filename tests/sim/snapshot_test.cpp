@@ -64,22 +64,13 @@ class Snapshot : public testing::TestWithParam<std::string> {};
 
 TEST_P(Snapshot, OfAShippedSceneGoesOnWithTheSameBits) {
     Simulation run = shipped_simulation(GetParam(), {"solver.ledger=true"});
-    const bool large = run.settings().cloths[0].particles.particles() > 10'000;
     for (const double time : {0.05, 0.3}) {
-        make_steps(run, steps_of(run, large ? 0.1 * time : time));
-        EXPECT_TRUE(go_on_alike(run, steps_of(run, large ? 0.01 : 0.05))) << "at " << run.report().time;
+        make_steps(run, steps_of(run, time));
+        EXPECT_TRUE(go_on_alike(run, steps_of(run, 0.05))) << "at " << run.report().time;
     }
 }
 
-/// `large` takes as long as several others.
-std::vector<std::string> scenes_but_large() {
-    std::vector<std::string> names = scenes_that_fail(false);
-    std::erase(names, "large");
-    return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(Long, Snapshot, testing::ValuesIn(scenes_but_large()), name_of_param);
-INSTANTIATE_TEST_SUITE_P(Nightly, Snapshot, testing::Values("large"));
+INSTANTIATE_TEST_SUITE_P(Long, Snapshot, testing::ValuesIn(scenes_that_fail(false)), name_of_param);
 
 class SnapshotOfAMethod : public testing::TestWithParam<std::string> {};
 
