@@ -56,8 +56,7 @@ public:
         const ImDrawData& data = *ImGui::GetDrawData();
         program_.use();
         array_.bind();
-        const PictureBox whole = scissor_of({0, 0, data.DisplaySize.x, data.DisplaySize.y}, data.DisplaySize);
-        PictureBox current = whole;
+        gl_(glEnable, GL_SCISSOR_TEST);
         int first_vertex = 0;
         std::size_t first_index = stream.start(Region::OverlayIndices);
         for (int i = 0; i < data.CmdListsCount; ++i) {
@@ -65,11 +64,7 @@ public:
             for (const ImDrawCmd& command : list.CmdBuffer) {
                 const PictureBox scissor = scissor_of(command.ClipRect, data.DisplaySize);
                 if (command.ElemCount == 0 || scissor.width == 0 || scissor.height == 0) continue;
-                if (scissor != current) {
-                    if (current == whole) gl_(glEnable, GL_SCISSOR_TEST);
-                    gl_(glScissor, scissor.left, scissor.low, scissor.width, scissor.height);
-                    current = scissor;
-                }
+                gl_(glScissor, scissor.left, scissor.low, scissor.width, scissor.height);
                 gl_.draw_short_elements(static_cast<int>(command.ElemCount),
                                         first_index + command.IdxOffset * sizeof(ImDrawIdx),
                                         first_vertex + static_cast<int>(command.VtxOffset));
@@ -77,7 +72,7 @@ public:
             first_vertex += list.VtxBuffer.Size;
             first_index += static_cast<std::size_t>(list.IdxBuffer.Size) * sizeof(ImDrawIdx);
         }
-        if (current != whole) gl_(glDisable, GL_SCISSOR_TEST);
+        gl_(glDisable, GL_SCISSOR_TEST);
     }
 
 private:

@@ -137,6 +137,11 @@ protected:
 using LongGolden = Golden;
 TEST_F(LongGolden, ScenesAreThoseOfTheTable) { expect_golden(all_scenes(), std::span(sizes).first(1)); }
 TEST_F(LongGolden, PanelsAreThoseOfTheTable) { expect_golden(all_panels(), std::span(sizes).first(1)); }
+TEST_F(LongGolden, HelpIsThatOfTheTableWhereAWindowGrows) {
+    for (const Shown& panel : all_panels()) {
+        if (panel.name == "help=true") expect_golden({panel}, sizes);
+    }
+}
 
 using NightlyGolden = Golden;
 TEST_F(NightlyGolden, PicturesAreThoseOfTheTableAtAllSizes) {
