@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <stdexcept>
 #include <utility>
 
 #include "drape/scene/scene.h"
@@ -37,7 +38,7 @@ std::string heading_of(const Entry& entry) {
 std::string title_of(const std::string& scene) {
     try {
         return load_scene(scene).title;
-    } catch (const InputError&) {
+    } catch (const std::runtime_error&) {
         return scene;
     }
 }
@@ -135,7 +136,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"M"}, "Settings panel", "next view.controls", Manner::Once, {}, panels},
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots", Manner::Once, {}, panels},
         {"View", {"K"}, "Energy balance", "next solver.ledger", Manner::Once, {}, panels},
-        {"View", {"F"}, "Frame the scene", "frame"},
+        {"View", {"F"}, "Frame the scene with the camera", "frame"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, along},
@@ -176,18 +177,21 @@ std::vector<KeyHelp> first_hints(bool has_ball) {
     hints.push_back({"Space", "Pause / Resume"});
     hints.push_back(
         {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"});
-    hints.push_back({"H, F1", "All keys; a tour"});
+    hints.push_back({"H", "All keys"});
+    hints.push_back({"F1", "A tour of " + std::to_string(tour_stops().size()) + " stops"});
     return hints;
 }
 
 std::vector<KeyHelp> tour_hint(std::size_t stop) {
     const auto stops = tour_stops();
     const TourStop& now = stops[stop];
+    const bool is_last = stop + 1 == stops.size();
     return {{std::to_string(stop + 1) + " of " + std::to_string(stops.size()), std::string(now.title)},
             {"See", std::string(now.look)},
             {"Try", std::string(now.try_it)},
-            {"Read", std::string(now.file)},
-            {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
+            {"Source", std::string(now.file)},
+            {"F1, F2, Esc",
+             is_last ? "First stop, previous stop, end of the tour" : "Next stop, previous stop, end of the tour"}};
 }
 
 std::string key_text(const Entry& entry) {

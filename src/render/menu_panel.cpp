@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 namespace drape {
@@ -13,10 +15,24 @@ namespace {
 
 constexpr float menu_columns = 58, menu_rows = 30;      // where there is room [font size], rows
 constexpr float group_columns = 14, mark_columns = 15;  // [font size]
+constexpr float help_rows = 3;                          // that the longest help of a setting takes
 
 std::string small_letters(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
+}
+
+// How well a text has the query: as a word of its own, from where a word begins, within a word, not at all
+int rank_of(std::string_view text, std::string_view query) {
+    const auto is_letter = [&](std::size_t k) {
+        return k < text.size() && std::isalnum(static_cast<unsigned char>(text[k])) != 0;
+    };
+    int best = 3;
+    for (std::size_t at = text.find(query); at != text.npos; at = text.find(query, at + 1)) {
+        const bool begins = at == 0 || !is_letter(at - 1);
+        best = std::min(best, !begins ? 2 : is_letter(at + query.size()) ? 1 : 0);
+    }
+    return best;
 }
 
 }  // namespace
@@ -55,11 +71,11 @@ void MenuPanel::type(unsigned char code) {
 }
 
 void MenuPanel::search() {
-    // What is called so or has this key, then what has the query in its name, the sooner the better
+    // What is called so or has this key, then what has the query in its name, whole words first, the sooner the better
     const auto place = [this](std::size_t k) {
         const std::string text = small_letters(items_[k].text), keys = ", " + small_letters(items_[k].keys) + ", ";
         const bool is_it = text == query_ || keys.find(", " + query_ + ", ") != std::string::npos;
-        return std::pair(!is_it, text.find(query_));
+        return std::tuple(!is_it, rank_of(text, query_), text.find(query_));
     };
     found_.clear();
     for (std::size_t k = 0; k < items_.size(); ++k) {
@@ -96,13 +112,21 @@ void MenuPanel::draw(const FrameView& view, const OverlayPage& page) {
         const char* what = "Search entries, keys, scenes and settings; Up, Down, Enter, Esc";
         if (query_.empty()) text_at({text.x + size, text.y}, ink::quiet, what);
 
-        ImGui::SetCursorScreenPos({field.x, far.y + 0.4f * size});
-        ImGui::BeginChild("found", {width - 2 * pad, box.bottom - pad - 1.3f * row - far.y - 0.4f * size});
+        // As many rows as are whole, also where it is scrolled, and below them what the setting does
+        const float top_row = far.y + 0.4f * size;
+        const float shown = std::max(1.0f, std::floor((box.bottom - pad - (help_rows + 0.3f) * row - top_row) / row));
+        ImGui::SetCursorScreenPos({field.x, top_row});
+        ImGui::BeginChild("found", {width - 2 * pad, shown * row});
+        if (found_.empty()) text_at({field.x, top_row}, ink::quiet, "Nothing found");
+        ImGui::SetScrollY(row * std::round(ImGui::GetScrollY() / row));
         for (std::size_t k = 0; k < found_.size() && open_; ++k) draw_row(k, view);
+        ImGui::Dummy({0, 0});  // the gap below the last row
         ImGui::EndChild();
 
         const Setting* setting = row_ < found_.size() ? items_[found_[row_]].setting : nullptr;
-        if (setting != nullptr) text_at({field.x, box.bottom - pad - row}, ink::quiet, setting->help);
+        ImGui::PushTextWrapPos(far.x - left);
+        if (setting != nullptr) text_at({field.x, box.bottom - pad - help_rows * row}, ink::quiet, setting->help);
+        ImGui::PopTextWrapPos();
     }
     end_window();
     const ImVec2 pointer = ImGui::GetIO().MousePos;
