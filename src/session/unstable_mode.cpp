@@ -47,7 +47,7 @@ std::optional<UnstableMode> find_unstable_mode(const Simulation& diverged, const
     return found;
 }
 
-std::string text_of(const UnstableMode& mode) {
+std::string text_of(const UnstableMode& mode, bool with_limit) {
     const auto milliseconds = [](double seconds) { return real_text(1e3 * seconds, 3) + " ms"; };
     const auto limit = static_cast<double>(mode.limit.step);
     const std::string limit_text =
@@ -55,9 +55,9 @@ std::string text_of(const UnstableMode& mode) {
                   : "No step is stable";
     return "Shape of the unstable mode, " +
            real_text(static_cast<double>(mode.limit.omega) / (2 * std::numbers::pi), 3) +
-           " Hz, played at 1 Hz and not to scale (up to 1/4 of a cell). Red: the " + std::string(mode.kind) +
-           " spring that takes the largest part in it. " + limit_text + ", the time step was " +
-           milliseconds(mode.step);
+           " Hz, shown at 1 Hz and not to scale. Red: the " + std::string(mode.kind) +
+           " spring with the largest part in it" +
+           (with_limit ? ". " + limit_text + ", the time step was " + milliseconds(mode.step) : "");
 }
 
 bool is_calm(const Simulation& simulation) {

@@ -161,7 +161,7 @@ std::string Simulation::check_substep(Real h) {
         const Divergence found = divergence(cloth, sums, balls_, settings_);
         if (!found.clause.empty()) {
             report_.failure = {static_cast<int>(&cloth - cloths_.data()), found.particle, found.other};
-            return "Diverged at step " + std::to_string(report_.step + 1) + " (" +
+            return "Diverged after step " + std::to_string(report_.step) + " (" +
                    std::string(name_of(solver.integrator)) + "). " + limit_advice() + "First: " + found.clause;
         }
         cloth.energy.after_integrator(cloth.model, cloth.state, sums, h, min_pause);
@@ -218,7 +218,9 @@ std::string Simulation::step_warning() const {
     const auto places = [](std::int64_t count) {
         return std::to_string(count) + (count == 1 ? " place" : " places") + " at the start and ";
     };
-    const auto [of_method, of_penalty] = limit_warnings();
+    // What has diverged says by itself how long its step was
+    const bool diverged = report_.failure.particle >= 0;
+    const auto [of_method, of_penalty] = diverged ? std::pair<std::string, std::string>() : limit_warnings();
     return joined(
         {of_method, of_penalty, crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
          coincident > 0 ? "cloth touches cloth at distance 0 in " + places(coincident) + "may cross it; place it apart"

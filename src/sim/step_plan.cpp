@@ -222,9 +222,8 @@ std::string Simulation::limit_advice() const {
                (penalty_limit(settings_, cloths_[0].model) ? ", contact.stiffness included, help. " : " help. ");
     }
     if (!(substep > longest)) return {};
-    // Rounded to no more than the limit
-    return "Time step is " + real_text(substep / longest, 3) + " x the limit; use at most " +
-           real_text(995 * longest, 3) + " ms. ";
+    return "Time step is " + real_text(substep / longest, 3) + " x the limit of " + real_text(1e3 * longest, 3) +
+           " ms. ";
 }
 
 std::pair<std::string, std::string> Simulation::limit_warnings() const {

@@ -47,7 +47,7 @@ TEST_F(WindowTest, AfterADivergenceShiftRStartsAgainWithAStepThatHolds) {
     const auto failures = [this] {
         const std::string said = drape_->standard_error();
         int count = 0;
-        for (std::size_t at = 0; (at = said.find("Diverged at step", at)) != std::string::npos; ++at) ++count;
+        for (std::size_t at = 0; (at = said.find("Diverged after step", at)) != std::string::npos; ++at) ++count;
         return count;
     };
     ASSERT_TRUE(eventually([&] { return failures() == 1; }));

@@ -28,8 +28,9 @@ struct UnstableMode {
 /// @par Cost that of `limiting_mode` for each cloth
 std::optional<UnstableMode> find_unstable_mode(const Simulation& diverged, const Simulation& before);
 
-/// The legend: what swings, which spring is marked, and limit and step in ms.
-std::string text_of(const UnstableMode& mode);
+/// The legend: what swings and which spring is marked.
+/// @param with_limit limit and step in ms too: where the run's own message does not have them
+std::string text_of(const UnstableMode& mode, bool with_limit);
 
 /// Whether within a step no two ends of a spring move against each other by more than a twentieth of its length at
 /// rest: a mode that grows shows there long before it shows in the cloth's shape.
