@@ -263,7 +263,6 @@ std::int64_t Window::steps_of_a_frame() const {
 
 void Window::go_to(std::int64_t step) {
     dirty_ = true;
-    if (session_.timeline().bytes == 0) return notices_.add("time", "This scene is too large to go back in");
     pointer_.forget();
     steering_.release_all();
     session_.go_to(step);

@@ -27,6 +27,7 @@ std::string line_of(const Timeline& timeline) {
         return format("Replay: %.2f s, step %lld of %lld", timeline.passed, static_cast<long long>(timeline.now),
                       static_cast<long long>(timeline.newest));
     }
+    if (timeline.is_too_large()) return "This scene is too large to go back in";
     if (timeline.is_live()) {
         return format("Now; the comma key steps back, %.2f s are kept (%.0f MB)", timeline.kept, megabytes);
     }
@@ -96,14 +97,15 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
 PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted) {
     const Timeline& timeline = view.timeline;
     const bool is_due = view.paused || timeline.replay || !timeline.is_live();
-    if (timeline.newest <= timeline.oldest || !is_due) return {};
+    const bool too_large = timeline.is_too_large();
+    if ((timeline.newest <= timeline.oldest && !too_large) || !is_due) return {};
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;
     const float width = std::min(page.width - 2 * page.margin, 56 * size);
     const float left = (page.width - width) / 2, bottom = page.height - page.margin;
-    const PanelBox box{left, bottom - 2.9f * size, left + width, bottom};
-    if (begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0)) {
-        text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
-
+    const PanelBox box{left, bottom - (too_large ? 1.8f : 2.9f) * size, left + width, bottom};
+    const bool shown = begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0);
+    text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
+    if (shown && !too_large) {
         const float from = box.left + pad, to = box.right - pad;
         const float middle = box.top + 2.2f * size;
         const auto span = static_cast<double>(timeline.newest - timeline.oldest);

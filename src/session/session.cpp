@@ -162,8 +162,8 @@ void Session::take_over() {
 }
 
 void Session::go_to(std::int64_t step) {
-    if (!history_ || history_->empty()) return;
     simulation_.apply(command::Step{0});  // pauses
+    if (!history_ || history_->empty()) return;
     if (!any_lies_ahead()) {
         for (const Command& command : simulation_.commands_to_let_go()) send(command);
     }

@@ -254,6 +254,15 @@ TEST(History, StaysWithinItsMemoryAndItsTime) {
     EXPECT_FALSE(traveller.finds_again(full.oldest - 1)) << "forgotten";
 }
 
+TEST(History, OfASceneThatIsTooLargeIsEmptyAndGoingBackOnlyPauses) {
+    Traveller traveller(small_simulation(), {.bytes = moment_bytes(small_simulation())});
+    traveller.run(50);
+    EXPECT_TRUE(traveller.session.timeline().is_too_large());
+    EXPECT_FALSE(traveller.finds_again(40));
+    EXPECT_TRUE(traveller.session.simulation().paused());
+    EXPECT_EQ(traveller.session.timeline().now, 50);
+}
+
 TEST(History, FinishesItsWayBeforeACommand) {
     Traveller traveller(small_simulation());
     traveller.run(200);

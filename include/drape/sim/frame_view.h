@@ -39,6 +39,9 @@ struct Timeline {
     bool replay = false;      ///< what lies ahead comes from a recording
 
     [[nodiscard]] bool is_live() const { return now == newest; }
+
+    /// Nothing is kept, for not even two moments would fit into the memory that the past may take.
+    [[nodiscard]] bool is_too_large() const { return bytes == 0 && newest > 0 && newest == oldest; }
 };
 
 struct ComparisonView;
