@@ -13,6 +13,7 @@
 #include "drape/sim/command.h"
 #include "drape/sim/simulation.h"
 #include "support/process.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {
@@ -119,6 +120,15 @@ TEST(Entries, AreTheTableOfTheReadme) {
     EXPECT_NE(readme.find(table), std::string::npos) << table;
 }
 
+TEST(Help, NeedsNoData) {
+    const ScratchFolder folder;
+    const std::string alone = folder.path() / "drape";
+    std::filesystem::copy(std::string(DRAPE_PROGRAMS) + "/drape", alone);
+    test::Process drape({alone, "--help"}, {{"DRAPE_DATA", ""}}, folder.path());
+    EXPECT_EQ(drape.wait(60), 0) << drape.standard_error();
+    EXPECT_NE(drape.standard_output().find("1-9"), std::string::npos);
+}
+
 TEST(Tour, IsThePageOfTheDocsWithSmallPictures) {
     const std::filesystem::path docs = std::filesystem::path(DRAPE_SOURCE_DIR) / "docs";
     EXPECT_EQ(test::read_file(docs / "tour.md"), tour_page()) << "drape-lab list tour > docs/tour.md";
@@ -135,6 +145,11 @@ TEST(Tour, IsThePageOfTheDocsWithSmallPictures) {
         bytes += test::read_file(picture).size();
     }
     EXPECT_LT(bytes, 4'300'000u);
+}
+
+TEST(Tour, SaysAtItsLastStopThatTheFirstFollows) {
+    EXPECT_TRUE(tour_hint(0).back().text.starts_with("Next stop"));
+    EXPECT_TRUE(tour_hint(tour_stops().size() - 1).back().text.starts_with("First stop"));
 }
 
 TEST(Tour, ItsSessionIsReplayedToItsEnd) {

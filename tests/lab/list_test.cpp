@@ -35,6 +35,16 @@ TEST(LabList, PrintsTheNamesThatSettingsTake) {
     EXPECT_THAT(listed_by_lab("experiments"), testing::Contains(testing::StartsWith("stability: ")));
 }
 
+TEST(LabHelp, NeedsNoData) {
+    const LabFolder folder;
+    std::filesystem::copy(DRAPE_LAB, folder.path() / "drape-lab");
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"--help"}, {"simulate", "--help"}}) {
+        const LabRun run = folder.run(words, folder.path() / "drape-lab");
+        EXPECT_EQ(run.code, 0) << run.err;
+    }
+}
+
 TEST(LabList, NamesWhatItCanList) {
     const LabFolder folder;
     const LabRun run = folder.run({"list", "scene"});
