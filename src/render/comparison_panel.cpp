@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape {
@@ -36,7 +37,10 @@ std::string millimetres(double metres) {
 }
 
 std::string figure_text(const ComparedFigure& row, const StepReport& report) {
-    return report.status == Status::Ok ? format(row.format, row.read(report)) : "diverged";
+    if (report.status != Status::Ok) return "diverged";
+    // Counts stay those of the last step that was awake
+    const bool is_time = std::string_view(row.label).ends_with("[us]");
+    return report.asleep && is_time ? "asleep" : format(row.format, row.read(report));
 }
 
 // Which of both cloths is which

@@ -10,6 +10,7 @@
 #include "drape/scene/scene.h"
 #include "drape/session/comparison.h"
 #include "drape/sim/simulation.h"
+#include "render/drawn_letters.h"
 
 namespace drape {
 namespace {
@@ -38,7 +39,7 @@ protected:
              "Both cloths move alike, and the one with a quarter of the particles takes a tenth of the time: "
              "a scene should model no more than what it shows."},
             {"Try", "M, Cloth, particles: with ever fewer of them the folds go first, and the outline last."},
-            {"Read", "src/lab/needs/needs.cpp"},
+            {"Source", "src/lab/needs/needs.cpp"},
             {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
     }
 
@@ -169,6 +170,37 @@ TEST_F(PanelBoxes, AreNotSmallerOnADisplayOfMorePixels) {
             before = width;
         }
     }
+}
+
+TEST_F(PanelBoxes, CompareWithNoTimeOfARunThatSleeps) {
+    FrameView view = simulation_.view();
+    int letters[2];
+    for (const bool sleeps : {false, true}) {
+        compared_ = comparison_.view(simulation_);
+        StepReport other = *compared_.other.report;
+        other.times = {};
+        other.asleep = sleeps;
+        compared_.other.report = &other;
+        view.comparison = &compared_;
+        OverlayPanels panels;
+        panels.build(view, Camera(settings_.view), {}, {}, 1280, 720);
+        letters[sleeps] = test::letters_within({0, 0, 1280, 720}).whole;
+    }
+    EXPECT_EQ(letters[true] - letters[false], 2 * 6 - 4) << "asleep in place of 0 and 0.0";
+}
+
+TEST_F(PanelBoxes, SayInPlaceOfTheTimelineThatASceneIsTooLargeToGoBackIn) {
+    FrameView view = simulation_.view();
+    const auto shows_timeline = [&](bool paused, Timeline timeline) {
+        view.paused = paused;
+        view.timeline = timeline;
+        panels_.build(view, Camera(settings_.view), {}, {}, 1280, 720);
+        return panels_.shows_timeline();
+    };
+    EXPECT_TRUE(shows_timeline(true, {.oldest = 7, .now = 7, .newest = 7}));
+    EXPECT_FALSE(shows_timeline(false, {.oldest = 7, .now = 7, .newest = 7}));
+    EXPECT_FALSE(shows_timeline(true, {.oldest = 7, .now = 7, .newest = 7, .bytes = 1e6})) << "the past begins here";
+    EXPECT_FALSE(shows_timeline(true, {})) << "a picture of drape-capture";
 }
 
 /// Rows, seen from the panel's height.

@@ -38,6 +38,20 @@ TEST(Tour, TunnelsWhereItSaysSoAndNotWhereItIsCured) {
     EXPECT_LT(at_picture(stop, "set contact.continuous=auto").balls()[0].centre.z(), 0.5);
 }
 
+TEST(Tour, ShowsLastingContactWhereRefitAndRebuildAreCompared) {
+    Session session(Simulation("hang", load_scene("hang")));
+    for (const Command& command : commands_of(stop_called("Rebuild against refit"))) session.send(command);
+    std::int64_t refitted = 0, rebuilt = 0;
+    for (int k = 1; k <= 12; ++k) {
+        session.run_until(0.2 * k);
+        const StepReport &refit = session.simulation().report(), &rebuild = *session.view().comparison->other.report;
+        EXPECT_GT(refit.contacts, 0) << session.time();
+        EXPECT_EQ(refit.contacts, rebuild.contacts) << session.time();
+        refitted += refit.traversal.volume_tests, rebuilt += rebuild.traversal.volume_tests;
+    }
+    EXPECT_GT(refitted, rebuilt);
+}
+
 TEST(Tour, ItsNodesPruneWhatTheBallDoesNotTouch) {
     const Simulation nodes = at_picture(stop_called("What a tree prunes"));
     EXPECT_GT(nodes.report().contacts, 0);
