@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape {
@@ -19,6 +21,11 @@ public:
     /// Takes the text on a topic away, if there is one.
     void remove(const std::string& topic) {
         std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
+    }
+
+    /// Whether there is a text on a topic.
+    [[nodiscard]] bool shows(std::string_view topic) const {
+        return std::ranges::find(notices_, topic, &Notice::topic) != notices_.end();
     }
 
     /// Lets time pass. @return whether a text went away

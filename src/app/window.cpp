@@ -240,6 +240,12 @@ void Window::tell_of_lost_ball() {
 void Window::follow_scene_file(double elapsed) {
     const bool saved = scene_watch_.saved(elapsed);
     if (!saved || touring_ || session_.timeline().replay) return;
+    reload_scene();
+    if (scene_error_.empty()) notices_.add("scene", "The scene begins again, as its file was saved");
+}
+
+// With what the command line asks for, but without what the user has changed since
+void Window::reload_scene() {
     dirty_ = true;
     const command::LoadScene again{session_.simulation().scene()};
     try {
@@ -249,11 +255,11 @@ void Window::follow_scene_file(double elapsed) {
         return tell("drape: " + scene_error_);
     }
     follow(again);
+    if (again.name != first_scene_) return;
+    if (!options_.start.versus.empty()) carry_out(command::Compare{options_.start.versus});
     for (const std::string& assignment : options_.start.assignments) {
-        if (again.name == first_scene_ && assignment.find('=') != std::string::npos)
-            carry_out(command::Set{assignment});
+        if (assignment.find('=') != std::string::npos) carry_out(command::Set{assignment});
     }
-    notices_.add("scene", "The scene begins again, as its file was saved");
 }
 
 void Window::repeat_shot() {

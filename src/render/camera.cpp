@@ -111,6 +111,8 @@ void Camera::apply(const Command& command, const FrameView& view) {
         target_ = target_.cwiseMax(-farthest_target).cwiseMin(farthest_target);
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
+    } else if (std::holds_alternative<command::Home>(command)) {
+        *this = Camera(view.settings->view);
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Eigen::AlignedBox<Real, 3> box = box_of(view);
         Eigen::Vector3f centre = Eigen::Vector3f::Zero();

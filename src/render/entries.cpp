@@ -75,15 +75,22 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"Time", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
         {"Time", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
-        {"", {"R"}, "Reset", "reset", Manner::Once, {}, "Time"},
+        {"", {"R"}, "Reset", "reset", Manner::Once, "Reset; changed settings stay", "Time"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep, {}, "Time"},
+        {"",
+         {"Ctrl+R"},
+         "Reload the scene",
+         "scene hang",
+         Manner::Reload,
+         "Reload the scene: its settings, its view",
+         "Time"},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
         if (s < 9) keys.push_back(std::to_string(s + 1));
         const bool fails = scenes[s].starts_with("fails_");
         entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s], Manner::Once,
-                           "Scenes", "Scenes and tour"});
+                           "Scenes, as shipped", "Scenes and tour"});
     }
     append_choices(entries, "Integrator", "solver.integrator", "I", "Next integrator", "Methods");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
@@ -136,12 +143,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots", Manner::Once, {}, panels},
         {"View", {"K"}, "Energy balance", "next solver.ledger", Manner::Once, {}, panels},
         {"View", {"F"}, "Frame the scene", "frame"},
+        {"View", {"Shift+F"}, "First view of the scene", "home"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, along},
         {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld, along},
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld, "Ball up, down"},
-        {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
+        {"Ball", {"PageDown", "Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"G"}, "Remove all pins", "set cloth.pinned=none", Manner::Once, {}, "Cloth and wind"},
@@ -154,7 +162,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, tour, scenes_and_tour},
         {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search, {}, panels},
         {"", {"H", "?"}, "Help", "next view.help", Manner::Once, {}, panels},
-        {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help, settings and tour first"},
+        {"", {"Ctrl+Q", "Esc"}, "Quit", "quit", Manner::Once, "Quit; Esc closes what is open first, and asks"},
     };
     entries.insert(entries.end(), rest.begin(), rest.end());
     return entries;
@@ -172,7 +180,7 @@ std::vector<KeyHelp> first_hints(bool has_ball) {
         {"Drag", "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
     };
-    if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Shift+Q up and down"});
+    if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Q up and down"});
     hints.push_back({"Space", "Pause / Resume"});
     hints.push_back(
         {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"});

@@ -58,6 +58,7 @@ constexpr std::tuple command_table{
     row<Pan>("pan RIGHT UP", &Pan::right, &Pan::up),
     row<Zoom>("zoom FACTOR", &Zoom::factor),
     row<Frame>("frame"),
+    row<Home>("home"),
     row<Picture>("picture"),
     row<Video>("video"),
     row<Quit>("quit"),

@@ -21,6 +21,7 @@ enum class Manner {
     FrameBack,  ///< as many as one displayed frame takes
     OneFrame,   ///< a `step` of as many steps as one displayed frame takes
     SafeStep,   ///< a `reset` after a time step at 0.9 of the stability limit, where there is one
+    Reload,     ///< the scene, or the stop of the tour, as it was first shown
     Slower,     ///< half the speed of time
     Faster,     ///< twice
     NextStop,   ///< of the tour: its scene and what it changes in it
@@ -32,7 +33,7 @@ enum class Manner {
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
 struct Entry {
     std::string menu;               ///< the submenu it is in, as "View/Colour by"; empty for the menu itself
-    std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O": letters without Shift fit either case
+    std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O", "Ctrl+Q": letters without Shift fit either case
     std::string text;               ///< as in the menu
     std::string command;            ///< in text form
     Manner manner = Manner::Once;

@@ -67,14 +67,16 @@ struct Zoom {  ///< `zoom 0.9`: the distance times a factor
     double factor = 1;
 };
 struct Frame {};    ///< `frame`: the whole scene into the picture
+struct Home {};     ///< `home`: the view with which the scene begins
 struct Picture {};  ///< `picture`: writes a PNG
 struct Video {};    ///< `video`: begins a video of what is shown, or ends it
 struct Quit {};     ///< `quit`
 
 /// Of the camera, the picture or the program: nothing that cloth or ball follows from.
 template <class C>
-concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> ||
-    std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Video> || std::is_same_v<C, Quit>;
+concept OfThePicture =
+    std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> || std::is_same_v<C, Frame> ||
+    std::is_same_v<C, Home> || std::is_same_v<C, Picture> || std::is_same_v<C, Video> || std::is_same_v<C, Quit>;
 
 }  // namespace command
 
@@ -82,7 +84,7 @@ using Command =
     std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load, command::Compare,
                  command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
                  command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
-                 command::Zoom, command::Frame, command::Picture, command::Video, command::Quit>;
+                 command::Zoom, command::Frame, command::Home, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);
