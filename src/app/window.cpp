@@ -274,6 +274,7 @@ void Window::repeat_shot() {
 void Window::start_scene() {
     scene_watch_.watch(session_.simulation().scene());
     scene_error_.clear();
+    notices_.keep_only({"picture", "video"});  // the files stay
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().set_scene(session_.simulation().settings());
     renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());

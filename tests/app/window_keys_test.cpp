@@ -7,6 +7,7 @@
 
 #include "../../src/app/keys.h"
 #include "app/window_fixture.h"
+#include "drape/base/stopwatch.h"
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
 #include "drape/session/comparison.h"
@@ -199,6 +200,25 @@ TEST_F(WindowTest, TheMenuChoosesUnderThePointerAndAnOpenOneDoesNoHarm) {
     desktop_.click(1);
     EXPECT_TRUE(recorded("pause", before)) << "the first entry of the menu";
     EXPECT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; }));
+    quit();
+}
+
+// A notice is dark before a bright background, at the top in the middle, and stays for five seconds
+TEST_F(WindowTest, ASceneTakesItsNoticesWithIt) {
+    start({"hang"});
+    const auto comes_to = [this](bool shown) {
+        return eventually([&] { return (*desktop_.picture_of(window_).pixel(320, 10) < 100) == shown; });
+    };
+    EXPECT_TRUE(comes_to(false));
+    // More than once, should the machine be slow
+    EXPECT_TRUE(eventually([&] {
+        desktop_.key("v");
+        EXPECT_TRUE(comes_to(true));
+        const Stopwatch watch;
+        desktop_.key("ctrl+r");
+        EXPECT_TRUE(comes_to(false));
+        return watch.seconds() < 3;
+    }));
     quit();
 }
 
