@@ -51,6 +51,7 @@ constexpr std::tuple command_table{
     row<Throw>("throw X Y Z VX VY VZ", &Throw::from, &Throw::velocity),
     row<Fall>("fall"),
     row<Grab>("grab CLOTH PARTICLE", &Grab::cloth, &Grab::particle),
+    row<Hold>("hold BALL", &Hold::ball),
     row<Drag>("drag X Y Z", &Drag::target),
     row<Release>("release"),
     row<Pin>("pin CLOTH PARTICLE", &Pin::cloth, &Pin::particle),

@@ -87,7 +87,9 @@ FrameView Simulation::view(Real blend) {
             .scene = scene_,
             .paused = paused_,
             .held = hand_.holds(),
-            .steered_ball = leads ? static_cast<int>(users_ball_) : -1,
+            .steered_ball = hand_.ball() >= 0 ? hand_.ball()
+                            : leads           ? static_cast<int>(users_ball_)
+                                              : -1,
             .pair_search = pair_search};
 }
 

@@ -30,6 +30,7 @@ std::vector<Command> one_of_each() {
             Throw{Vec3(0.5, 1, -2), Vec3(0, 1.5, -6)},
             Fall{},
             Grab{1, 17},
+            Hold{2},
             Drag{Vec3(0.1, 1e-300, -2e8)},
             Release{},
             Pin{1, 17},

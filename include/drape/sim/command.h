@@ -49,6 +49,9 @@ struct Grab {    ///< `grab 0 17`: takes a particle of a cloth in hand
     int cloth = 0;
     int particle = 0;
 };
+struct Hold {  ///< `hold 0`: takes a ball in hand, which moves it while the keys would, or while it is free
+    int ball = 0;
+};
 struct Drag {  ///< `drag 0.1 0.2 0.3`: where the hand goes [m]
     Vec3 target = Vec3::Zero();
 };
@@ -80,11 +83,11 @@ concept OfThePicture =
 
 }  // namespace command
 
-using Command =
-    std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load, command::Compare,
-                 command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
-                 command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
-                 command::Zoom, command::Frame, command::Home, command::Picture, command::Video, command::Quit>;
+using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load,
+                             command::Compare, command::Set, command::Next, command::Add, command::Steer,
+                             command::Throw, command::Fall, command::Grab, command::Hold, command::Drag,
+                             command::Release, command::Pin, command::Orbit, command::Pan, command::Zoom,
+                             command::Frame, command::Home, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

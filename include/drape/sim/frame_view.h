@@ -64,8 +64,8 @@ struct FrameView {
     double longest_step = 0;  ///< `Simulation::longest_step` [s]
     std::string_view scene;   ///< name or path
     bool paused = false;
-    bool held = false;                           ///< the hand holds a particle
-    int steered_ball = -1;                       ///< of several, the one that the keys lead; -1: none
+    bool held = false;                           ///< the hand holds a particle or a ball
+    int steered_ball = -1;                       ///< in the hand, or of several the one that the keys lead; -1: none
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
     TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::Process;
 
-constexpr int most_at_once = 60;       // events in one run of xdotool
+constexpr int most_at_once = 400;      // events in one run of xdotool
 constexpr int events_a_window = 2000;  // then it is closed and its recording replayed
 constexpr double patience = 120;       // s, for an answer on a machine that is busy
 
