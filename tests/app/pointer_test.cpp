@@ -7,17 +7,17 @@
 namespace drape {
 namespace {
 
-constexpr int width = 640, height = 480;
+constexpr int page_width = 640, page_height = 480;
 
 /// A scene under the mouse, and the pixel that its first ball's centre is seen at.
 struct Pointed {
     explicit Pointed(const std::string& scene, const std::vector<std::string>& changes = {})
         : simulation(shipped_simulation(scene, changes)), camera(simulation.settings().view) {
-        const Eigen::Matrix4f projection = camera.projection_matrix(float(width) / float(height));
+        const Eigen::Matrix4f projection = camera.projection_matrix(float(page_width) / float(page_height));
         const Eigen::Vector4f seen =
             projection * camera.view_matrix() * simulation.balls()[0].centre.cast<float>().homogeneous();
-        x = static_cast<int>((1 + seen.x() / seen.w()) / 2 * width);
-        y = static_cast<int>((1 - seen.y() / seen.w()) / 2 * height);
+        x = static_cast<int>((1 + seen.x() / seen.w()) / 2 * page_width);
+        y = static_cast<int>((1 - seen.y() / seen.w()) / 2 * page_height);
     }
 
     /// Carries out what the pointer makes of it. @return the names of the commands
@@ -35,7 +35,7 @@ struct Pointed {
 private:
     [[nodiscard]] Sight sight() {
         view_ = simulation.view();
-        return {view_, camera, width, height};
+        return {view_, camera, page_width, page_height};
     }
 
     std::string carry_out(const std::vector<Command>& commands) {
@@ -58,11 +58,12 @@ TEST(Pointer, LeadsABallWithTheGrabbedPointUnderIt) {
         at.x += 8, at.y -= 5;  // not at its middle
         EXPECT_EQ(at.press(), "hold");
         const Ball before = at.simulation.balls()[0];
-        const Vec3 grabbed = pick_particle(at.simulation.view(), at.camera.ray(at.x, at.y, width, height)).point;
+        const Vec3 grabbed =
+            pick_particle(at.simulation.view(), at.camera.ray(at.x, at.y, page_width, page_height)).point;
         EXPECT_EQ(at.drag(-90, -30), "drag");
         run_until(at.simulation, 1);
         const Vec3 moved = at.simulation.balls()[0].centre - before.centre;
-        const Vec3 pointed = at.camera.on_facing_plane(at.camera.ray(at.x, at.y, width, height), grabbed);
+        const Vec3 pointed = at.camera.on_facing_plane(at.camera.ray(at.x, at.y, page_width, page_height), grabbed);
         EXPECT_GT(moved.norm(), 0.2) << motion;
         EXPECT_LT((grabbed + moved - pointed).norm(), 2e-3) << motion;
         EXPECT_EQ(at.release(), "release");
@@ -79,7 +80,7 @@ TEST(Pointer, TurnsTheViewAtABallThatIsStillOrOnAPath) {
 
 TEST(Pointer, TakesTheClothBeforeABall) {
     Pointed at("original");
-    const Pick pick = pick_particle(at.simulation.view(), at.camera.ray(at.x, at.y - 40, width, height));
+    const Pick pick = pick_particle(at.simulation.view(), at.camera.ray(at.x, at.y - 40, page_width, page_height));
     EXPECT_GE(pick.particle, 0);
     at.y -= 40;
     EXPECT_EQ(at.press(), "grab");
