@@ -50,7 +50,7 @@ Row report_row(const ReportField& field, const StepReport& report) {
     const double value = field.read(report);
     Row row{std::string(field.label), value_text(value, field.unit), field.importance};
     if (field.group == ReportGroup::Balance && row.value == value_text(0, field.unit)) {
-        row.importance = 0, row.colour = ink::dim;
+        row.importance = 2, row.colour = ink::dim;
     }
     if (field.whole == nullptr) return row;
     const double whole = field.whole(report);
