@@ -217,8 +217,8 @@ void Window::tell_of_drops() {
     std::string seconds = std::to_string(dropped);
     seconds.resize(seconds.find('.') + 2);
     const bool real = session_.simulation().settings().view.speed == 1;
-    notices_.add("dropped", std::string("Slower than ") + (real ? "real time: " : "view.speed asks: ") + seconds +
-                                " s of simulation skipped");
+    notices_.add("dropped", std::string("The scene runs slower than ") + (real ? "real time" : "view.speed asks") +
+                                ": " + seconds + " s behind so far");
 }
 
 // As it leaves the picture

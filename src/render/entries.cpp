@@ -1,6 +1,7 @@
 #include "drape/render/entries.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <utility>
 
@@ -49,6 +50,7 @@ MenuMark::MenuMark(const Entry& entry) {
     if (entry.manner != Manner::Once || (entry.menu.empty() && entry.command.starts_with("set "))) return;
     command_ = parse_command(entry.command);
     if (const auto* next = std::get_if<command::Next>(&command_)) setting_ = &find_setting(next->setting);
+    if (const auto* add = std::get_if<command::Add>(&command_)) setting_ = &find_setting(add->setting);
     if (const auto* set = std::get_if<command::Set>(&command_)) {
         const std::string_view assignment = set->assignment;
         const std::size_t equals = assignment.find('=');
@@ -57,15 +59,15 @@ MenuMark::MenuMark(const Entry& entry) {
     }
 }
 
-std::string_view MenuMark::text(const Settings& settings, std::string_view scene, bool paused) const {
-    const auto now = [](bool is_present) { return is_present ? "now" : ""; };
+std::string MenuMark::text(const Settings& settings, std::string_view scene, bool paused) const {
+    const auto now = [](bool is_present) { return std::string(is_present ? "now" : ""); };
     if (std::holds_alternative<command::Pause>(command_)) return paused ? "paused" : "";
     if (const auto* load = std::get_if<command::LoadScene>(&command_)) return now(scene == load->name);
     if (setting_ == nullptr) return "";
     const SettingValue present = setting_->read(settings, 0);
     if (value_) return now(present == *value_);
-    const bool* flag = std::get_if<bool>(&present);
-    return flag == nullptr ? "" : *flag ? "on" : "off";
+    const bool adds = std::holds_alternative<command::Add>(command_);
+    return adds || std::holds_alternative<bool>(present) ? shown_value(*setting_, present) : "";
 }
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
@@ -100,6 +102,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         const std::string text(milliseconds);
         entries.push_back({"Time step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
+    entries.push_back({"Time step", {}, "0.1 ms longer", "add solver.dt 1e-04"});
+    entries.push_back({"Time step", {}, "0.1 ms shorter", "add solver.dt -1e-04"});
     append_values(entries, "Time step", "solver.on_unstable",
                   {{"Above the stability limit: warn", "warn"},
                    {"Above the stability limit: substep", "substep"},
@@ -114,8 +118,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     };
     const char* fast =
         "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";
-    compare("Explicit Euler against backward Euler", "fails_explicit_euler", "", "solver.integrator=backward_euler");
-    compare("Spheres against AABBs", "drop", "contact.volume=sphere", "contact.volume=aabb");
+    compare("explicit_euler against backward_euler", "fails_explicit_euler", "", "solver.integrator=backward_euler");
+    compare("sphere against aabb", "drop", "contact.volume=sphere", "contact.volume=aabb");
     compare("Discrete against continuous detection", "bullet", fast, "contact.continuous=true");
     compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
@@ -199,9 +203,16 @@ std::vector<KeyHelp> tour_hint(std::size_t stop) {
             {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
 }
 
+std::string key_name(std::string_view key) {
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> names{
+        {{",", "comma"}, {".", "period"}, {"-", "minus"}, {"=", "equals"}, {"+", "plus"}}};
+    const auto named = std::ranges::find(names, key, [](const auto& name) { return name.first; });
+    return named == names.end() ? std::string(key) : named->second;
+}
+
 std::string key_text(const Entry& entry) {
     std::string text;
-    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key;
+    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key_name(key);
     return text;
 }
 

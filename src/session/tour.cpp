@@ -31,7 +31,7 @@ constexpr std::array<TourStop, 13> stops{{
      "contact.volume=aabb,contact.leaf_cells=2,view.bounds=true,view.level=4,view.eye=1.2,0.7,1.6,"
      "view.target=0.25,0.15,0.05",
      "", "Boxes along the axes fit flat cloth closely; where cloth is tilted, they waste their corners.",
-     "T goes through the bounding volumes; Tab shows node tests and times.", "include/drape/bounds/aabb.h", 0.4},
+     "T goes through the bounding volumes; Tab shows volume tests and times.", "include/drape/bounds/aabb.h", 0.4},
     {"Rebuild against refit", "curtain",
      "contact.update=refit,view.bounds=true,view.colour=plain,view.target=0.45,0.8,0", "contact.update=rebuild",
      "Both find the same contacts. Refit (surface) builds less, but has looser spheres to test than rebuild (lines).",

@@ -57,6 +57,8 @@ TEST(MenuMark, SaysWhetherAFlagIsOnAndWhatScene) {
     EXPECT_EQ(text_of("scene drop"), "now");
     EXPECT_EQ(text_of("scene curtain"), "");
     EXPECT_EQ(text_of("pause"), "");
+    simulation.apply(parse_command("set solver.dt=3e-4"));
+    EXPECT_EQ(text_of("add solver.dt 1e-04"), "3e-04 s") << "no value of the list is the present one";
 }
 
 TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {

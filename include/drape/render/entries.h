@@ -59,9 +59,9 @@ public:
     /// @throws InputError if its command is none, or has a setting that is none
     explicit MenuMark(const Entry& entry);
 
-    /// "on", "off", "paused", "now"; empty for what is neither.
+    /// "on", "off", "paused", "now"; of what is added to, its present value; empty for what is none of these.
     /// @param scene its name or path
-    [[nodiscard]] std::string_view text(const Settings& settings, std::string_view scene, bool paused) const;
+    [[nodiscard]] std::string text(const Settings& settings, std::string_view scene, bool paused) const;
 
 private:
     Command command_ = command::Quit{};
@@ -69,7 +69,10 @@ private:
     std::optional<SettingValue> value_;  ///< that it sets it to
 };
 
-/// "Space, P".
+/// A key in words where it is a sign that a list of keys has too: "comma".
+std::string key_name(std::string_view key);
+
+/// "Space, P"; "equals, plus".
 std::string key_text(const Entry& entry);
 
 /// What a newcomer may try first, in a scene with a ball or in one without.
