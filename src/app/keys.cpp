@@ -7,7 +7,9 @@
 
 namespace drape {
 
-std::string character_key(unsigned char code, bool shift) {
+std::string character_key(unsigned char code, bool shift, bool control) {
+    constexpr int letters = 26;  // which Control turns into the codes from 1 on
+    if (control) return code >= 1 && code <= letters ? std::string("Ctrl+") + static_cast<char>('A' + code - 1) : "";
     if (code == ' ') return "Space";
     if (code == '\t') return "Tab";
     if (code == 27) return "Esc";
@@ -36,6 +38,9 @@ std::string special_key(int code, bool shift) {
     return {};
 }
 
-std::string without_shift(const std::string& key) { return key.starts_with("Shift+") ? key.substr(6) : key; }
+std::string without_modifiers(const std::string& key) {
+    const std::size_t plus = key.find('+');
+    return key.size() > 1 && plus != std::string::npos ? key.substr(plus + 1) : key;
+}
 
 }  // namespace drape

@@ -59,8 +59,8 @@ void Menu::update(const Simulation& simulation) {
     if (open_) return;
     int number = 0;
     for (Item& item : items_) {
-        const auto mark = item.mark.text(simulation.settings(), simulation.scene(), simulation.paused());
-        std::string text = item.text + (mark.empty() ? "" : "  - ") + std::string(mark);
+        const std::string mark = item.mark.text(simulation.settings(), simulation.scene(), simulation.paused());
+        std::string text = item.text + (mark.empty() ? "" : "  - ") + mark;
         if (text != item.shown) {
             glutSetMenu(item.menu);
             glutChangeToMenuEntry(item.position, text.c_str(), number);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape {
@@ -19,6 +22,16 @@ public:
     /// Takes the text on a topic away, if there is one.
     void remove(const std::string& topic) {
         std::erase_if(notices_, [&](const Notice& notice) { return notice.topic == topic; });
+    }
+
+    /// Takes all texts away but those on some topics.
+    void keep_only(std::initializer_list<std::string_view> topics) {
+        std::erase_if(notices_, [&](const Notice& notice) { return std::ranges::count(topics, notice.topic) == 0; });
+    }
+
+    /// Whether there is a text on a topic.
+    [[nodiscard]] bool shows(std::string_view topic) const {
+        return std::ranges::find(notices_, topic, &Notice::topic) != notices_.end();
     }
 
     /// Lets time pass. @return whether a text went away

@@ -16,9 +16,9 @@ struct Sight {
     int height;
 };
 
-/// Turns the mouse into commands: the left button turns the view or pulls the cloth, the middle one (or Shift and left)
-/// moves the view, and Control and left pin and free a particle. Movements wait for `flush`, so that there is at most
-/// one command a frame.
+/// Turns the mouse into commands: the left button turns the view or pulls cloth or a ball, the middle one (or Shift and
+/// left) moves the view, and Control and left pin and free a particle. Movements wait for `flush`, so that there is at
+/// most one command a frame.
 class Pointer {
 public:
     enum class Button { Left, Middle };
@@ -38,13 +38,16 @@ public:
             return {};
         }
         const Pick pick = pick_particle(sight.view, sight.camera.ray(x, y, sight.width, sight.height));
-        if (pick.particle < 0) {
+        const bool takes_ball = pick.ball >= 0 && follows_hand(sight.view.settings->balls, pick.ball);
+        if (pick.particle < 0 && !takes_ball) {
             doing_ = Doing::Orbiting;
             return {};
         }
-        if (held.control) return {command::Pin{pick.cloth, pick.particle}};
+        if (held.control && !takes_ball) return {command::Pin{pick.cloth, pick.particle}};
         doing_ = Doing::Pulling;
         hand_ = pick.point;
+        to_centre_ = pick.to_centre;
+        if (takes_ball) return {command::Hold{pick.ball}};
         return {command::Grab{pick.cloth, pick.particle}};
     }
 
@@ -71,7 +74,7 @@ public:
                 return {command::Pan{-across, down}};
             case Doing::Pulling:
                 hand_ = sight.camera.on_facing_plane(sight.camera.ray(x_, y_, sight.width, sight.height), hand_);
-                return {command::Drag{hand_}};
+                return {command::Drag{hand_ + to_centre_}};
             case Doing::Nothing:
                 break;
         }
@@ -91,6 +94,12 @@ public:
     [[nodiscard]] static Command wheel(int notches) { return command::Zoom{std::pow(wheel_factor, notches)}; }
 
 private:
+    /// Not on a path, and not still.
+    static bool follows_hand(const std::vector<BallSettings>& balls, int ball) {
+        const BallMotion motion = balls[static_cast<std::size_t>(ball)].motion;
+        return motion == BallMotion::Keys || motion == BallMotion::Free;
+    }
+
     enum class Doing { Nothing, Orbiting, Panning, Pulling };
 
     static constexpr double full_drag = 4.0;     ///< a drag over the height of the picture [rad]
@@ -100,7 +109,8 @@ private:
     Button button_ = Button::Left;
     int from_x_ = 0, from_y_ = 0;  ///< where the last command left off
     int x_ = 0, y_ = 0;
-    Vec3 hand_ = Vec3::Zero();  ///< the point that is pulled
+    Vec3 hand_ = Vec3::Zero();       ///< the point that is pulled
+    Vec3 to_centre_ = Vec3::Zero();  ///< from there, of the ball that is pulled
 };
 
 }  // namespace drape

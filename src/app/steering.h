@@ -14,16 +14,16 @@ namespace drape {
 /// Turns held keys into where the ball goes, relative to the viewer.
 class Steering {
 public:
-    /// A key of an entry goes down or up. The key's letter counts, not Shift, which may be let go first. A key that is
-    /// let go before `update` has seen it counts once.
+    /// A key of an entry goes down or up. The key's letter counts, not Shift or Control, which may be let go first. A
+    /// key that is let go before `update` has seen it counts once.
     void press(const std::string& key, const Entry& entry) {
         release(key);
-        held_.push_back({without_shift(key), direction_of(entry), std::numeric_limits<double>::infinity(), false});
+        held_.push_back({without_modifiers(key), direction_of(entry), std::numeric_limits<double>::infinity(), false});
     }
 
     void release(const std::string& key) {
         for (Held& held : held_) {
-            if (held.key == without_shift(key)) held.left = 0;
+            if (held.key == without_modifiers(key)) held.left = 0;
         }
     }
 

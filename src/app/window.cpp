@@ -217,8 +217,8 @@ void Window::tell_of_drops() {
     std::string seconds = std::to_string(dropped);
     seconds.resize(seconds.find('.') + 2);
     const bool real = session_.simulation().settings().view.speed == 1;
-    notices_.add("dropped", std::string("Slower than ") + (real ? "real time: " : "view.speed asks: ") + seconds +
-                                " s of simulation skipped");
+    notices_.add("dropped", std::string("The scene runs slower than ") + (real ? "real time" : "view.speed asks") +
+                                ": " + seconds + " s behind so far");
 }
 
 // As it leaves the picture
@@ -240,6 +240,12 @@ void Window::tell_of_lost_ball() {
 void Window::follow_scene_file(double elapsed) {
     const bool saved = scene_watch_.saved(elapsed);
     if (!saved || touring_ || session_.timeline().replay) return;
+    reload_scene();
+    if (scene_error_.empty()) notices_.add("scene", "The scene begins again, as its file was saved");
+}
+
+// With what the command line asks for, but without what the user has changed since
+void Window::reload_scene() {
     dirty_ = true;
     const command::LoadScene again{session_.simulation().scene()};
     try {
@@ -249,11 +255,11 @@ void Window::follow_scene_file(double elapsed) {
         return tell("drape: " + scene_error_);
     }
     follow(again);
+    if (again.name != first_scene_) return;
+    if (!options_.start.versus.empty()) carry_out(command::Compare{options_.start.versus});
     for (const std::string& assignment : options_.start.assignments) {
-        if (again.name == first_scene_ && assignment.find('=') != std::string::npos)
-            carry_out(command::Set{assignment});
+        if (assignment.find('=') != std::string::npos) carry_out(command::Set{assignment});
     }
-    notices_.add("scene", "The scene begins again, as its file was saved");
 }
 
 void Window::repeat_shot() {
@@ -268,6 +274,7 @@ void Window::repeat_shot() {
 void Window::start_scene() {
     scene_watch_.watch(session_.simulation().scene());
     scene_error_.clear();
+    notices_.keep_only({"picture", "video"});  // the files stay
     camera_ = shown_ = Camera(session_.simulation().settings().view);
     renderer_->panels().set_scene(session_.simulation().settings());
     renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());

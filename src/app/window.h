@@ -104,6 +104,7 @@ private:
     void tell_of_failure();
     void tell_whose_ball();
     void follow_scene_file(double elapsed);
+    void reload_scene();
     void repeat_shot();
     void start_scene();
     void draw(FrameView view);
@@ -121,7 +122,7 @@ private:
     Camera shown_;   ///< what the picture shows, on its way there
     Pointer pointer_;
     Steering steering_;
-    std::set<std::string> held_keys_;  ///< by the names they have without Shift
+    std::set<std::string> held_keys_;  ///< by the names they have without Shift and Control
     Notices notices_;
     SearchTimer search_timer_;
     PicturePace pace_;

@@ -52,17 +52,20 @@ void Window::register_callbacks() {
 }
 
 void Window::on_character(unsigned char code, int, int) {
+    const int modifiers = glutGetModifiers();
+    const bool shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0, control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
+    const std::string key = character_key(code, shift, control);
     if (renderer_->panels().have_keyboard()) {
-        held_keys_.insert(character_key(code, false));
+        held_keys_.insert(without_modifiers(key));
         return type_at_panel(code);
     }
-    const int modifiers = glutGetModifiers();
-    if ((modifiers & (GLUT_ACTIVE_CTRL | GLUT_ACTIVE_ALT)) != 0) return;
-    press(character_key(code, (modifiers & GLUT_ACTIVE_SHIFT) != 0));
+    if ((modifiers & GLUT_ACTIVE_ALT) == 0) press(key);
 }
 
-// Shift is no matter: it may have been let go first
-void Window::on_character_up(unsigned char code, int, int) { release(character_key(code, false)); }
+void Window::on_character_up(unsigned char code, int, int) {
+    const bool control = (glutGetModifiers() & GLUT_ACTIVE_CTRL) != 0;
+    release(without_modifiers(character_key(code, false, control)));
+}
 
 void Window::type_at_panel(unsigned char code) {
     panel_frames_ = 8;
@@ -88,7 +91,7 @@ void Window::release(const std::string& key) {
 }
 
 void Window::press(const std::string& key) {
-    if (!held_keys_.insert(without_shift(key)).second) return;  // it repeats
+    if (!held_keys_.insert(without_modifiers(key)).second) return;  // it repeats
     forget_hint();
     if (key == "Esc" && close_topmost()) return;
     const Entry* entry = find_entry(entries_, key);
@@ -117,6 +120,7 @@ void Window::give(const Entry& entry) {
     }
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
+    if (entry.manner == Manner::Reload) return touring_ ? go_to_stop(stop_) : reload_scene();
     if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
     if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
     for (const Command& command : commands_of(entry)) {
@@ -139,15 +143,16 @@ void Window::go_to_stop(int stop) {
     touring_ = true;
 }
 
-// Its scene stays
+// Its scene stays, without what it was compared with
 void Window::leave_tour() {
     touring_ = false;
+    if (session_.compares()) carry_out(command::Compare{"none"});
     renderer_->panels().hint = {};
-    notices_.add("tour", "The tour has ended; F1 takes it up again, Esc quits");
+    notices_.add("tour", "The tour has ended; F1 takes it up again");
     dirty_ = true;
 }
 
-// What lies over the others, first
+// What lies over the others, first. In the end it asks, and finds nothing to close while the question is on show
 bool Window::close_topmost() {
     const ViewSettings& view = session_.simulation().settings().view;
     if (menu_->open()) {
@@ -160,6 +165,11 @@ bool Window::close_topmost() {
         carry_out(command::Set{"view.controls=false"});
     } else if (touring_) {
         leave_tour();
+    } else if (session_.compares()) {
+        carry_out(command::Compare{"none"});
+    } else if (!notices_.shows("quit")) {
+        notices_.add("quit", "Press Esc again to quit");
+        dirty_ = true;
     } else {
         return false;
     }
@@ -313,7 +323,7 @@ void Window::follow(const Command& command) {
     steering_.forget_given();
     told_failure_.clear();
     sees_ball_ = false;
-    for (const char* topic : {"dropped", "crossing"}) notices_.remove(topic);
+    for (const char* topic : {"dropped", "crossing", "ball"}) notices_.remove(topic);
     scene_clock_ = {};
     unshown_.reset();  // a picture of what was before
     dirty_ = true;

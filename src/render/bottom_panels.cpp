@@ -80,7 +80,6 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
         text_at({left, corner.y + 0.2f * size}, ink::text, plot.title);
         text_before({right, corner.y + 0.2f * size}, curve_colours[0],
                     short_number(static_cast<double>(now.values[plot.first])));
-        text_at({left, top + 0.25f * size}, ink::quiet, short_number(high));
         float along = left;
         for (std::size_t c = plot.first; c < plot.end; ++c) {
             const float label_width = text_width(plot_curves[c].label);
@@ -88,8 +87,12 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
             text_at({along, corner.y + 1.4f * size}, curve_colours[c - plot.first], plot_curves[c].label);
             along += label_width + 0.6f * size;
         }
+        if (plot.has_limit && along + text_width("limit") <= right)
+            text_at({along, corner.y + 1.4f * size}, ink::bad, "limit");
         text_at({left, bottom + 0.1f * size}, ink::quiet, short_number(-span) + " s");
         text_before({right, bottom + 0.1f * size}, ink::quiet, "now");
+        const std::string axis = short_number(low) + " to " + short_number(high);
+        text_at({(left + right - text_width(axis)) / 2, bottom + 0.1f * size}, ink::quiet, axis);
     }
     return height + margin;
 }

@@ -111,6 +111,8 @@ void Camera::apply(const Command& command, const FrameView& view) {
         target_ = target_.cwiseMax(-farthest_target).cwiseMin(farthest_target);
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
+    } else if (std::holds_alternative<command::Home>(command)) {
+        *this = Camera(view.settings->view);
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Eigen::AlignedBox<Real, 3> box = box_of(view);
         Eigen::Vector3f centre = Eigen::Vector3f::Zero();
@@ -209,12 +211,19 @@ Pick pick_particle(const FrameView& view, const Ray& ray) {
     Real nearest = nothing;
     for (std::size_t i = 0; i < view.balls.size(); ++i) {
         const Eigen::Vector4f ball = drawn_ball(view, i);
-        nearest = std::min(nearest, hit_ball(ray, ball.head<3>().cast<Real>(), static_cast<Real>(ball.w())));
+        const Vec3 centre = ball.head<3>().cast<Real>();
+        const Real distance = hit_ball(ray, centre, static_cast<Real>(ball.w()));
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        pick.ball = static_cast<int>(i);
+        pick.point = ray.origin + distance * ray.direction;
+        pick.to_centre = centre - pick.point;
     }
     for (std::size_t i = 0; i < view.solids.size(); ++i) {
         Solid solid = view.solids[i];
         solid.position = drawn_solid(view, i).cast<Real>();
-        nearest = std::min(nearest, hit_solid(ray, solid));
+        const Real distance = hit_solid(ray, solid);
+        if (distance < nearest) nearest = distance, pick = {};
     }
     for (std::size_t number = 0; number < view.cloths.size(); ++number) {
         const ClothView& cloth = view.cloths[number];
@@ -227,9 +236,9 @@ Pick pick_particle(const FrameView& view, const Ray& ray) {
             if (!(hit.distance < nearest)) continue;
             nearest = hit.distance;
             const auto largest = std::max_element(hit.barycentric.begin(), hit.barycentric.end());
-            pick.cloth = static_cast<int>(number);
-            pick.particle = corners[static_cast<std::size_t>(largest - hit.barycentric.begin())];
-            pick.point = ray.origin + hit.distance * ray.direction;
+            pick = {.cloth = static_cast<int>(number),
+                    .particle = corners[static_cast<std::size_t>(largest - hit.barycentric.begin())],
+                    .point = ray.origin + hit.distance * ray.direction};
         }
     }
     return pick;

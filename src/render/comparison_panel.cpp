@@ -26,7 +26,7 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
     {"volume tests", "%.0f", [](const StepReport& r) { return static_cast<double>(r.traversal.volume_tests); }},
     {"candidates", "%.0f", [](const StepReport& r) { return static_cast<double>(r.traversal.candidates); }},
     {"contacts", "%.0f", [](const StepReport& r) { return static_cast<double>(r.contacts); }},
-    {"depth left [mm]", "%.3f", [](const StepReport& r) { return 1e3 * r.penetration; }},
+    {"penetration [mm]", "%.3f", [](const StepReport& r) { return 1e3 * r.penetration; }},
     {"stretch [%]", "%.2f", [](const StepReport& r) { return 100 * r.stretch; }},
     {"energy [J]", "%.4f", [](const StepReport& r) { return r.energy.total(); }},
 }};
@@ -43,9 +43,22 @@ std::string figure_text(const ComparedFigure& row, const StepReport& report) {
     return report.asleep && is_time ? "asleep" : format(row.format, row.read(report));
 }
 
+// Of the legend, where the settings of the other run begin [font size]
+constexpr float settings_column = 6;
+
+// An assignment a line
+std::string settings_text(const ComparisonView& comparison) {
+    std::string text;
+    for (const std::string& assignment : split_assignments(comparison.assignments)) {
+        text += (text.empty() ? "" : "\n") + assignment;
+    }
+    return text;
+}
+
 // Which of both cloths is which
-void draw_legend(std::string_view other_settings, ImVec2 line, float end) {
-    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), text = line.x + 6 * size;
+void draw_legend(const std::string& other_settings, ImVec2 line, float end) {
+    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
+    const float text = line.x + settings_column * size;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 swatch{line.x, line.y + 0.1f * size}, far{swatch.x + 1.5f * size, swatch.y + 0.9f * size};
     list.AddRectFilled(swatch, far, ink::quiet, 2);
@@ -62,9 +75,9 @@ void draw_legend(std::string_view other_settings, ImVec2 line, float end) {
     const float middle = (swatch.y + far.y) / 2 + down;
     list.AddLine({swatch.x, middle}, {far.x, middle}, ink::popup, 1);
     text_at({line.x + 2 * size, line.y + row}, ink::quiet, "lines");
-    ImGui::PushClipRect({text, line.y}, {end, line.y + 3 * row}, true);
+    ImGui::PushTextWrapPos(end);
     text_at({text, line.y + row}, ink::text, other_settings);
-    ImGui::PopClipRect();
+    ImGui::PopTextWrapPos();
 }
 
 }  // namespace
@@ -83,7 +96,11 @@ void ComparisonPanel::keep(const FrameView& view) {
 float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, float left, float right) const {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), margin = page.margin;
     const float width = 24 * size, curve = 3 * size;
-    const float height = static_cast<float>(compared_figures.size() + 4) * row + curve + 2 * margin;
+    const std::string settings = settings_text(*view.comparison);
+    const float settings_width = width - 2 * margin - settings_column * size;
+    const float lines = ImGui::CalcTextSize(settings.c_str(), nullptr, false, settings_width).y;
+    const float legend = row + lines + ImGui::GetStyle().ItemSpacing.y;
+    const float height = static_cast<float>(compared_figures.size() + 2) * row + legend + curve + 2 * margin;
     const ImVec2 panel{right - width, margin};
     if (height + 2 * margin > page.height || panel.x < left) return right;
     draw_panel({panel.x, margin, right, margin + height});
@@ -91,8 +108,8 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     const float first = line.x + 9 * size, other = line.x + 15.5f * size, end = right - margin;
     const StepReport other_report = other_medians_.with_median_times(*view.comparison->other.report);
 
-    draw_legend(view.comparison->assignments, line, end);
-    line.y += 2 * row;
+    draw_legend(settings, line, end);
+    line.y += legend;
     text_at({first, line.y}, ink::quiet, "surface");
     text_at({other, line.y}, ink::quiet, "lines");
     for (const ComparedFigure& figures : compared_figures) {

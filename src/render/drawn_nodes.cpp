@@ -147,8 +147,8 @@ NodeState TouchedCells::state_of(const NodeView& node) const {
     if (node.visit == NodeVisit::Unvisited) return NodeState::Unvisited;
     if (node.visit == NodeVisit::Pruned) return NodeState::Pruned;
     if (any_in(node.cells)) return NodeState::Touching;
-    if (node.visit == NodeVisit::Entered) return NodeState::Visited;
-    return tested_ ? NodeState::FalseCandidate : NodeState::Leaf;
+    if (!tested_) return NodeState::Untested;
+    return node.visit == NodeVisit::Entered ? NodeState::FalseInner : NodeState::FalseLeaf;
 }
 
 ShownLevel shown_level(const FrameView& view) {
@@ -180,12 +180,11 @@ std::vector<NodeView> shown_nodes(const FrameView& view, const BroadPhase& hiera
 void LevelCounts::add(std::span<const NodeView> added, const TouchedCells& touched) {
     nodes += static_cast<int>(added.size());
     for (const NodeView& node : added) {
-        const bool overlaps = node.visit >= NodeVisit::Entered;
-        const bool touches = touched.state_of(node) == NodeState::Touching;
+        const NodeState state = touched.state_of(node);
         visited += node.visit != NodeVisit::Unvisited;
         pruned += node.visit == NodeVisit::Pruned;
-        false_positives += overlaps && !touches;
-        touching += touches;
+        false_positives += state == NodeState::FalseInner || state == NodeState::FalseLeaf;
+        touching += state == NodeState::Touching;
     }
 }
 

@@ -18,7 +18,7 @@ namespace drape {
 
 /// How a node is drawn: by what queries did with it, and whether anything in it touches. Cloth and balls that are
 /// compared are drawn likewise, in a colour of their own, and so are the strains of cells.
-enum class NodeState { Unvisited, Pruned, Visited, Leaf, FalseCandidate, Touching, Compared, Stretched, Compressed };
+enum class NodeState { Unvisited, Pruned, FalseInner, Untested, FalseLeaf, Touching, Compared, Stretched, Compressed };
 
 /// What a legend says of lines, and the colour of both: red, green, blue, opacity.
 struct LineLook {
@@ -28,11 +28,11 @@ struct LineLook {
 
 /// In the order of `NodeState`; the last two are seen on all of `value_colours`. Hues are apart for colour-blind eyes
 /// too. @cite okabe2008
-inline constexpr std::array<LineLook, 9> node_looks{{{"not visited", {0.45f, 0.48f, 0.52f, 0.40f}},
-                                                     {"pruned", {0.20f, 0.23f, 0.28f, 0.50f}},
-                                                     {"visited", {0.00f, 0.36f, 0.75f, 0.60f}},
-                                                     {"leaf, not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},
-                                                     {"false candidate", {0.72f, 0.25f, 0.58f, 0.80f}},
+inline constexpr std::array<LineLook, 9> node_looks{{{"not visited", {0.62f, 0.65f, 0.70f, 0.45f}},
+                                                     {"pruned", {0.10f, 0.11f, 0.14f, 0.65f}},
+                                                     {"false positive, inner", {0.00f, 0.36f, 0.75f, 0.60f}},
+                                                     {"not tested yet", {0.00f, 0.50f, 0.34f, 0.65f}},
+                                                     {"false positive, leaf", {0.72f, 0.25f, 0.58f, 0.80f}},
                                                      {"touching", {1.00f, 0.76f, 0.05f, 0.85f}},
                                                      {"compared", {0.05f, 0.05f, 0.08f, 0.75f}},
                                                      {"stretched", {0.95f, 0.30f, 0.05f, 0.95f}},
@@ -50,7 +50,7 @@ public:
     /// @par Cost O(rows log(touched cells))
     [[nodiscard]] bool any_in(const CellRange& cells) const;
 
-    /// Of a leaf that was handed on it is known whether it touches, once it has been tested.
+    /// Of a node that overlaps it is known whether anything in it touches, once that has been tested.
     [[nodiscard]] NodeState state_of(const NodeView& node) const;
 
 private:
@@ -79,7 +79,7 @@ struct LevelCounts {
     int nodes = 0;
     int visited = 0;          ///< pruned or not
     int pruned = 0;           ///< visited and found apart
-    int false_positives = 0;  ///< overlapping, and nothing in them touches
+    int false_positives = 0;  ///< overlapping, and nothing in them touches, as far as that was tested
     int touching = 0;
 
     void add(std::span<const NodeView> added, const TouchedCells& touched);

@@ -1,6 +1,7 @@
 #include "drape/render/entries.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
 #include <utility>
@@ -50,6 +51,7 @@ MenuMark::MenuMark(const Entry& entry) {
     if (entry.manner != Manner::Once || (entry.menu.empty() && entry.command.starts_with("set "))) return;
     command_ = parse_command(entry.command);
     if (const auto* next = std::get_if<command::Next>(&command_)) setting_ = &find_setting(next->setting);
+    if (const auto* add = std::get_if<command::Add>(&command_)) setting_ = &find_setting(add->setting);
     if (const auto* set = std::get_if<command::Set>(&command_)) {
         const std::string_view assignment = set->assignment;
         const std::size_t equals = assignment.find('=');
@@ -58,15 +60,15 @@ MenuMark::MenuMark(const Entry& entry) {
     }
 }
 
-std::string_view MenuMark::text(const Settings& settings, std::string_view scene, bool paused) const {
-    const auto now = [](bool is_present) { return is_present ? "now" : ""; };
+std::string MenuMark::text(const Settings& settings, std::string_view scene, bool paused) const {
+    const auto now = [](bool is_present) { return std::string(is_present ? "now" : ""); };
     if (std::holds_alternative<command::Pause>(command_)) return paused ? "paused" : "";
     if (const auto* load = std::get_if<command::LoadScene>(&command_)) return now(scene == load->name);
     if (setting_ == nullptr) return "";
     const SettingValue present = setting_->read(settings, 0);
     if (value_) return now(present == *value_);
-    const bool* flag = std::get_if<bool>(&present);
-    return flag == nullptr ? "" : *flag ? "on" : "off";
+    const bool adds = std::holds_alternative<command::Add>(command_);
+    return adds || std::holds_alternative<bool>(present) ? shown_value(*setting_, present) : "";
 }
 
 std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
@@ -76,15 +78,22 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"Time", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
         {"Time", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
-        {"", {"R"}, "Reset", "reset", Manner::Once, {}, "Time"},
+        {"", {"R"}, "Reset", "reset", Manner::Once, "Reset; changed settings stay", "Time"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep, {}, "Time"},
+        {"",
+         {"Ctrl+R"},
+         "Reload the scene",
+         "scene hang",
+         Manner::Reload,
+         "Reload the scene: its settings, its view",
+         "Time"},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
         if (s < 9) keys.push_back(std::to_string(s + 1));
         const bool fails = scenes[s].starts_with("fails_");
         entries.push_back({fails ? "Failures" : "Scene", keys, title_of(scenes[s]), "scene " + scenes[s], Manner::Once,
-                           "Scenes", "Scenes and tour"});
+                           "Scenes, as shipped", "Scenes and tour"});
     }
     append_choices(entries, "Integrator", "solver.integrator", "I", "Next integrator", "Methods");
     entries.push_back({"Integrator", {}, "Hessian clamped or exact", "next solver.hessian"});
@@ -94,6 +103,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         const std::string text(milliseconds);
         entries.push_back({"Time step", {}, text + " ms", "set solver.dt=" + text + "e-3"});
     }
+    entries.push_back({"Time step", {}, "0.1 ms longer", "add solver.dt 1e-04"});
+    entries.push_back({"Time step", {}, "0.1 ms shorter", "add solver.dt -1e-04"});
     append_values(entries, "Time step", "solver.on_unstable",
                   {{"Above the stability limit: warn", "warn"},
                    {"Above the stability limit: substep", "substep"},
@@ -108,8 +119,8 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     };
     const char* fast =
         "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";
-    compare("Explicit Euler against backward Euler", "fails_explicit_euler", "", "solver.integrator=backward_euler");
-    compare("Spheres against AABBs", "drop", "contact.volume=sphere", "contact.volume=aabb");
+    compare("explicit_euler against backward_euler", "fails_explicit_euler", "", "solver.integrator=backward_euler");
+    compare("sphere against aabb", "drop", "contact.volume=sphere", "contact.volume=aabb");
     compare("Discrete against continuous detection", "bullet", fast, "contact.continuous=true");
     compare("Penalty against hybrid response", "drop", "contact.response=penalty", "contact.response=hybrid");
     compare("15 x 15 against 29 x 29 particles", "original", "cloth.particles=15,15", "cloth.particles=29,29");
@@ -137,12 +148,13 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots", Manner::Once, {}, panels},
         {"View", {"K"}, "Energy balance", "next solver.ledger", Manner::Once, {}, panels},
         {"View", {"F"}, "Frame the scene with the camera", "frame"},
+        {"View", {"Shift+F"}, "First view of the scene", "home"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Right", "D"}, "Ball to the right", "steer 1 0 0", Manner::WhileHeld, across},
         {"Ball", {"Up", "W"}, "Ball away from you", "steer 0 0 1", Manner::WhileHeld, along},
         {"Ball", {"Down", "S"}, "Ball towards you", "steer 0 0 -1", Manner::WhileHeld, along},
         {"Ball", {"PageUp", "E"}, "Ball up", "steer 0 1 0", Manner::WhileHeld, "Ball up, down"},
-        {"Ball", {"PageDown", "Shift+Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
+        {"Ball", {"PageDown", "Q"}, "Ball down", "steer 0 -1 0", Manner::WhileHeld, "Ball up, down"},
         {"Ball", {"X"}, "Throw the ball where you look", "throw 0 0 0 0 0 0", Manner::Aimed},
         {"Ball", {"Z"}, "Let the ball fall", "fall"},
         {"", {"G"}, "Remove all pins", "set cloth.pinned=none", Manner::Once, {}, "Cloth and wind"},
@@ -155,7 +167,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, tour, scenes_and_tour},
         {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search, {}, panels},
         {"", {"H", "?"}, "Help", "next view.help", Manner::Once, {}, panels},
-        {"", {"Esc", "Q"}, "Quit", "quit", Manner::Once, "Quit; Esc closes menu, list, help, settings and tour first"},
+        {"", {"Ctrl+Q", "Esc"}, "Quit", "quit", Manner::Once, "Quit; Esc closes what is open first, and asks"},
     };
     entries.insert(entries.end(), rest.begin(), rest.end());
     return entries;
@@ -170,10 +182,11 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 
 std::vector<KeyHelp> first_hints(bool has_ball) {
     std::vector<KeyHelp> hints{
-        {"Drag", "Pull the cloth; beside it, orbit the view"},
+        {"Drag", has_ball ? "Pull the cloth or a loose ball; beside them, orbit the view"
+                          : "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
     };
-    if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Shift+Q up and down"});
+    if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Q up and down"});
     hints.push_back({"Space", "Pause / Resume"});
     hints.push_back(
         {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"});
@@ -194,19 +207,28 @@ std::vector<KeyHelp> tour_hint(std::size_t stop) {
              is_last ? "First stop, previous stop, end of the tour" : "Next stop, previous stop, end of the tour"}};
 }
 
+std::string key_name(std::string_view key) {
+    constexpr std::array<std::pair<std::string_view, const char*>, 5> names{
+        {{",", "comma"}, {".", "period"}, {"-", "minus"}, {"=", "equals"}, {"+", "plus"}}};
+    const auto named = std::ranges::find(names, key, [](const auto& name) { return name.first; });
+    return named == names.end() ? std::string(key) : named->second;
+}
+
 std::string key_text(const Entry& entry) {
     std::string text;
-    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key;
+    for (const std::string& key : entry.keys) text += (text.empty() ? "" : ", ") + key_name(key);
     return text;
 }
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball) {
-    std::vector<std::vector<KeyHelp>> groups{{{"", "Mouse"},
-                                              {"Left drag", "Orbit the view; on the cloth: pull it"},
-                                              {"Middle or Shift+left drag", "Pan the view"},
-                                              {"Ctrl+click", "Pin or free a particle"},
-                                              {"Wheel", "Zoom"},
-                                              {"Right button", "Menu"}}};
+    std::vector<std::vector<KeyHelp>> groups{
+        {{"", "Mouse"},
+         {"Left drag",
+          has_ball ? "Orbit the view; on the cloth or a loose ball: pull it" : "Orbit the view; on the cloth: pull it"},
+         {"Middle or Shift+left drag", "Pan the view"},
+         {"Ctrl+click", "Pin or free a particle"},
+         {"Wheel", "Zoom"},
+         {"Right button", "Menu"}}};
     for (const Entry& entry : entries) {
         if (entry.keys.empty() || (entry.menu == "Ball" && !has_ball)) continue;
         const std::string heading = heading_of(entry), text = entry.help.empty() ? entry.text : entry.help;

@@ -41,7 +41,7 @@ std::string value_text(double value, std::string_view unit) {
     if (unit == "1") return format("%.2f %%", 100 * value);
     if (unit == "us") return time_text(value);
     if (unit == "m") return format("%.2f mm", 1000 * value);
-    if (unit == "J") return format("%.4f J", value);
+    if (unit == "J") return format("%.4f J", std::round(1e4 * value) / 1e4 + 0.0);  // without a sign of zero
     return format("%.3f", value) + " " + std::string(unit);
 }
 
@@ -49,6 +49,9 @@ std::string value_text(double value, std::string_view unit) {
 Row report_row(const ReportField& field, const StepReport& report) {
     const double value = field.read(report);
     Row row{std::string(field.label), value_text(value, field.unit), field.importance};
+    if (field.group == ReportGroup::Balance && row.value == value_text(0, field.unit)) {
+        row.importance = 2, row.colour = ink::dim;
+    }
     if (field.whole == nullptr) return row;
     const double whole = field.whole(report);
     if (field.unit.empty()) {
@@ -126,30 +129,40 @@ std::string slow_reason(const FrameView& view) {
     return has_large_ball(view) ? "large ball" : "loose tree";
 }
 
-// What the hierarchy saves of the time, where that was measured; else why it does not, and what to press: another
-// update or volume, or the scene `large`
-void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
-    if (view.search == nullptr) return;
-    const double time = view.search->hierarchy, brute = view.search->brute_force;
-    rows.push_back({"search, in all", format("%.3g ms", 1000 * time), 2});
-    rows.push_back({"by brute force", format("%.3g ms, %.2g x", 1000 * brute, brute / time), 2,
-                    brute > time ? ink::good : ink::wait});
-    if (brute > time) return;
-    const std::string reason = slow_reason(view);
-    rows.push_back({"why slower", reason + (reason == "large ball" ? ": see 9" : ": U, T"), 2, ink::wait});
-}
-
-// What it saves of the tests that brute force makes. Where a cloth is small and most of it near a ball, that is none.
+// What it saves of the tests that brute force makes, and whether of its time too, where that was measured. Where a
+// cloth is small and most of it near a ball, that is none.
 void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const double all = tests_of_brute_force(view);
     const TraversalStats& traversal = view.report->traversal;
     const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
     if (all == 0 || made == 0) return;
     const double saved = 1 - made / all;
-    const std::string reason = slow_reason(view);
-    const std::string none = reason == "slow update" ? "none" : "none: " + reason;
-    const std::string text = saved > 0.05 ? format("%.0f %%; B shows how", 100 * saved) : none;
-    rows.push_back({"tests saved", text, 3, saved > 0.05 ? ink::good : ink::wait});
+    if (saved < 0.05) {
+        const std::string reason = slow_reason(view);
+        rows.push_back({"tests saved", reason == "slow update" ? "none" : "none: " + reason, 3, ink::wait});
+        return;
+    }
+    const std::string text = format("%.0f %%", 100 * saved);
+    if (view.search == nullptr) {
+        const std::string more = view.settings->view.bounds ? " of " + grouped(all) : "; B shows how";
+        rows.push_back({"tests saved", text + more, 3});
+    } else {
+        const bool in_time = view.search->saves_time();
+        rows.push_back(
+            {"tests saved", text + (in_time ? ", and time" : ", but no time"), 3, in_time ? ink::good : ink::wait});
+    }
+}
+
+// What a search takes, and without the hierarchy; where that takes less, what to press: another update or volume, or
+// the scene `large`
+void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
+    if (view.search == nullptr) return;
+    const std::string kernels = view.settings->solver.kernels == Kernels::Vector ? ", by vectors" : "";
+    rows.push_back({"search, in all", time_text(1e6 * view.search->hierarchy), 2});
+    rows.push_back({"by brute force", time_text(1e6 * view.search->brute_force) + kernels, 2});
+    if (view.search->saves_time()) return;
+    const bool large_ball = slow_reason(view) == "large ball";
+    rows.push_back({"to save time", large_ball ? "9: a larger sheet" : "U: update, T: volume", 2, ink::wait});
 }
 
 // What stands above the figures of a group
@@ -170,10 +183,10 @@ void add_rows_ahead(ReportGroup group, const FrameView& view, std::vector<Row>& 
 }
 
 // Of what is at rest there is no rate. Where the window draws fast, the picture says so
-Row rate_row(const FrameView& view, const FrameReport& last) {
-    if (is_at_rest(view)) return {"FPS", view.paused ? "paused" : "asleep", 3};
+void add_rate_row(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
+    if (is_at_rest(view)) return;
     const std::string rate = format("%.1f", last.rate);
-    return view.prefer_speed ? Row{"FPS", rate + ", coarse", 3, ink::wait} : Row{"FPS", rate, 3};
+    rows.push_back(view.prefer_speed ? Row{"FPS", rate + ", coarse", 3, ink::wait} : Row{"FPS", rate, 3});
 }
 
 // Where energy went to and came from, while a ledger is kept
@@ -189,7 +202,7 @@ void add_balance_rows(const FrameView& view, std::vector<Row>& rows) {
 // What a glance takes in, and what the user has asked for
 void add_compact_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
     rows.push_back(state_row(view));
-    rows.push_back(rate_row(view, last));
+    add_rate_row(view, last, rows);
     add_speed_row(view, rows);
     const StepReport& report = *view.report;
     const double ratio = report.step_limit_ratio;
@@ -197,7 +210,6 @@ void add_compact_rows(const FrameView& view, const FrameReport& last, std::vecto
     const std::string pairs = report.pairs > 0 ? ", " + grouped(static_cast<double>(report.pairs)) + " pairs" : "";
     rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)) + pairs, 3});
     add_saved_row(view, rows);
-    add_search_rows(view, rows);
     add_balance_rows(view, rows);
 }
 
@@ -211,22 +223,24 @@ void add_report_rows(const FrameView& view, std::vector<Row>& rows) {
         if (field.group == ReportGroup::Pairs && !view.settings->contact.self) continue;
         if (field.group == ReportGroup::Doubt && !in_doubt(*view.report)) continue;
         if (field.group == ReportGroup::Balance && !view.settings->solver.ledger) continue;
+        if (field.unit == "us" && field.read(*view.report) == 0) continue;  // asleep, or nothing to do
         const bool opens = before == nullptr || before->group != field.group;
         const std::size_t first = rows.size();
         if (opens) add_rows_ahead(field.group, view, rows);
         rows.push_back(report_row(field, *view.report));
-        if (field.name == "candidates" && all_cells > 0) rows.back().value += " of " + grouped(all_cells);
+        if (field.name == "candidates" && all_cells > 0) rows.back().value += " of " + grouped(all_cells) + " cells";
         rows[first].opens_group = opens && before != nullptr;
         before = &field;
     }
 }
 
 void add_cost_rows(const FrameView& view, const FrameReport& last, std::vector<Row>& rows) {
-    rows.push_back(rate_row(view, last));
-    rows.back().opens_group = true;
+    const std::size_t first = rows.size();
+    add_rate_row(view, last, rows);
     rows.push_back({"CPU", format("%.0f %%", 100 * last.cpu), 2});
     rows.push_back({"GL calls", grouped(last.gl_calls), 2});
     rows.push_back({"vertices", grouped(last.vertices), 2});
+    rows[first].opens_group = true;
 }
 
 float height_of(const std::vector<Row>& rows, float line, float gap) {
@@ -235,13 +249,17 @@ float height_of(const std::vector<Row>& rows, float line, float gap) {
     return height;
 }
 
-// Leaves out rows until the rest fits
+// Leaves out rows until the rest fits, and says so
 void drop_rows(std::vector<Row>& rows, float line, float gap, float room) {
-    while (!rows.empty() && height_of(rows, line, gap) > room) {
+    int dropped = 0;
+    for (; !rows.empty() && height_of(rows, line, gap) + (dropped > 0 ? line : 0) > room; ++dropped) {
         const auto least = std::min_element(rows.rbegin(), rows.rend(),
                                             [](const Row& a, const Row& b) { return a.importance < b.importance; });
-        rows.erase(std::next(least).base());
+        const bool opens = least->opens_group;
+        const auto next = rows.erase(std::next(least).base());
+        if (opens && next != rows.end()) next->opens_group = true;
     }
+    if (dropped > 0 && !rows.empty()) rows.push_back({format("no room for %d more", dropped), "", 0});
 }
 
 // A title in the large font where that fits into a line; else in the small one, in two lines, and cut where it is

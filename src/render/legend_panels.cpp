@@ -63,12 +63,15 @@ ImVec2 legend_size(float rows, const OverlayPage& page) {
 std::string heading(const FrameView& view, const ShownLevel& shown) {
     const std::string volume = name_of(view.settings->contact.volume);
     if (shown.levels == 0) return "No hierarchy: " + volume;
-    const std::string level = shown.all ? "All levels, 0 to " : "Level " + std::to_string(shown.level) + " of ";
-    return level + std::to_string(shown.levels - 1) + ", " + volume;
+    const std::string level = shown.all ? "All levels, 0 to " : "Level " + std::to_string(shown.level) + " of 0 to ";
+    const char* search = !view.balls.empty()           ? ": ball on cloth"
+                         : view.settings->contact.self ? ": cloth on cloth"
+                                                       : "";
+    return level + std::to_string(shown.levels - 1) + ", " + volume + search;
 }
 
-constexpr std::array<const char*, 8> column_names{"level",      "nodes",    "visited",   "pruned",
-                                                  "false pos.", "touching", "tightness", "fit [us]"};
+constexpr std::array<const char*, 8> column_names{"level",          "nodes",    "visited",   "pruned",
+                                                  "false positive", "touching", "tightness", "fit [us]"};
 
 // One column after the other, each as wide as its name
 template <class Cell>
@@ -111,13 +114,14 @@ void draw_levels(ImVec2 corner, std::span<const LevelCounts> counts, std::span<c
 // What the table cannot say by level
 std::vector<std::string> notes(const FrameView& view) {
     const StepReport& report = *view.report;
-    std::vector<std::string> lines{
-        "tightness: mean radius / least possible radius",
-        format("fit: one level by itself; build of all levels: %.0f us", 1e6 * report.times.build / report.substeps)};
-    if (view.settings->contact.self) {
-        const TraversalStats& pairs = view.pair_search;
-        lines.push_back("cloth on cloth: " + std::to_string(pairs.volume_tests) + " pair tests, " +
-                        std::to_string(pairs.pruned) + " pruned, " + std::to_string(pairs.leaves) + " left");
+    const double build = 1e6 * report.times.build / report.substeps;
+    const std::string all_levels = build > 0 ? format("; build of all levels: %.0f us", build) : "";
+    std::vector<std::string> lines{"tightness: mean radius / least possible radius",
+                                   "fit: one level by itself" + all_levels};
+    if (view.balls.size() > 1) lines.push_back(format("%zu balls: each node counts once", view.balls.size()));
+    if (const TraversalStats& pairs = view.pair_search; pairs.visited > 0) {
+        lines.push_back("for this picture: " + std::to_string(pairs.volume_tests) + " pairs of nodes tested, " +
+                        std::to_string(pairs.leaves) + " of leaves left");
     }
     return lines;
 }

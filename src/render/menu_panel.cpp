@@ -74,14 +74,15 @@ void MenuPanel::search() {
     // What is called so or has this key, then what has the query in its name, whole words first, the sooner the better
     const auto place = [this](std::size_t k) {
         const std::string text = small_letters(items_[k].text), keys = ", " + small_letters(items_[k].keys) + ", ";
-        const bool is_it = text == query_ || keys.find(", " + query_ + ", ") != std::string::npos;
+        const bool is_it = text == query_ || keys.find(", " + key_name(query_) + ", ") != std::string::npos;
         return std::tuple(!is_it, rank_of(text, query_), text.find(query_));
     };
     found_.clear();
     for (std::size_t k = 0; k < items_.size(); ++k) {
         std::istringstream words(query_);
         bool fits = true;
-        for (std::string word; fits && words >> word;) fits = items_[k].searched.find(word) != std::string::npos;
+        for (std::string word; fits && words >> word;)
+            fits = items_[k].searched.find(key_name(word)) != std::string::npos;
         if (fits) found_.push_back(k);
     }
     if (!query_.empty()) std::ranges::stable_sort(found_, {}, place);
@@ -149,7 +150,7 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
     ImGui::PushClipRect(corner, {end - mark_columns * size, corner.y + 2 * size}, true);
     write(corner.x + group_columns * size, ink::text, item.text);
     ImGui::PopClipRect();
-    std::string mark(item.mark.text(*view.settings, view.scene, view.paused));
+    std::string mark = item.mark.text(*view.settings, view.scene, view.paused);
     // Another scene may have come, without such a section
     if (item.setting != nullptr && section_count(*view.settings, *item.setting) > 0) {
         mark = shown_value(*item.setting, item.setting->read(*view.settings, 0));

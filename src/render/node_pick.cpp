@@ -57,9 +57,10 @@ std::string node_reason(const NodePick& pick, const FrameView& view) {
         default:
             break;
     }
-    const std::string what = pick.state == NodeState::Visited ? "visited: " : "leaf, cells tested: ";
-    const char* outcome = pick.state == NodeState::FalseCandidate ? "; none touches" : "";
-    return what + (pick.at_ball ? "a ball overlaps it" : "cloth is near") + outcome;
+    const std::string what = pick.node.visit == NodeVisit::Leaf ? "leaf: " : "visited: ";
+    const char* near = view.balls.empty() ? "cloth is near" : "a ball is near";
+    const char* outcome = pick.state == NodeState::Untested ? "" : "; nothing in it touches";
+    return what + (pick.at_ball ? "a ball overlaps it" : near) + outcome;
 }
 
 }  // namespace drape

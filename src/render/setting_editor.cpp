@@ -26,14 +26,18 @@ double number_in(const std::optional<SettingValue>& value) {
 // Numbers that a user reads, and a recording keeps
 double rounded(double value) { return parse_real(real_text(value, 4)).value_or(value); }
 
-// Where the grab is not
+// Where the grab is not; without its unit where that has no room
 void number_beside_grab(const SettingRow& row, double number) {
     const auto& word = row.setting->word;
-    const std::string text = word && number == word->value ? word->text : format(row.format.c_str(), number);
+    std::string text = word && number == word->value ? word->text : format(row.format.c_str(), number);
     const auto& [low, high, logarithmic] = row.scale;
-    const double middle = logarithmic ? std::sqrt(low * high) : (low + high) / 2;
-    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax(), pad = ImGui::GetStyle().FramePadding;
-    const float x = number > middle ? from.x + pad.x : to.x - pad.x - text_width(text);
+    const double part = logarithmic ? std::log(number / low) / std::log(high / low) : (number - low) / (high - low);
+    const auto grab = static_cast<float>(std::clamp(part, 0.0, 1.0));
+    const ImVec2 from = ImGui::GetItemRectMin(), to = ImGui::GetItemRectMax();
+    const ImVec2 pad = ImGui::GetStyle().FramePadding;
+    const float room = std::max(grab, 1 - grab) * (to.x - from.x - ImGui::GetStyle().GrabMinSize) - pad.x;
+    if (text_width(text) > room) text = format("%.4g", number);
+    const float x = grab > 0.5f ? from.x + pad.x : to.x - pad.x - text_width(text);
     ImGui::GetWindowDrawList()->AddText({x, from.y + pad.y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 

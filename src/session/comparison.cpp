@@ -84,11 +84,6 @@ void Comparison::apply(const Command& command, const Simulation& first) {
 }
 
 void Comparison::follow_command(const Command& command, const Simulation& first) {
-    if (std::holds_alternative<command::Load>(command)) throw RunError("a snapshot has no run beside it");
-    if (changes_scene(command)) {
-        other_ = make_other(first, text_);
-        return;
-    }
     if (const std::string_view setting = setting_of(command); !setting.empty() && compares(setting)) return;
     try {
         other_.apply(moved_to(other_, first, command));

@@ -94,6 +94,7 @@ void Session::carry_out(const Command& command, bool is_new) {
         compare(*begun);
     } else {
         simulation_.apply(command);
+        if (changes_scene(command)) comparison_.reset();
         compare_after(command);
     }
     if (std::holds_alternative<command::Load>(command) && clock_steps_ == 0) {

@@ -31,7 +31,7 @@ constexpr std::array<TourStop, 13> stops{{
      "contact.volume=aabb,contact.leaf_cells=2,view.bounds=true,view.level=4,view.eye=1.2,0.7,1.6,"
      "view.target=0.25,0.15,0.05",
      "", "Boxes along the axes fit flat cloth closely; where cloth is tilted, they waste their corners.",
-     "T goes through the bounding volumes; Tab shows node tests and times.", "include/drape/bounds/aabb.h", 0.4},
+     "T goes through the bounding volumes; Tab shows volume tests and times.", "include/drape/bounds/aabb.h", 0.4},
     {"Rebuild against refit", "curtain",
      "contact.update=refit,contact.leaf_cells=4,"
      "ball.path=0,0,0.6,0.25,1,0.3,0.6,-0.15,2,0,0.6,-0.3,3,-0.3,0.6,-0.15,4,0,0.6,0.25,"
@@ -101,7 +101,7 @@ std::string picture_name(std::size_t number) {
 std::span<const TourStop> tour_stops() { return stops; }
 
 std::vector<Command> commands_of(const TourStop& stop) {
-    std::vector<Command> commands{command::Compare{"none"}, command::LoadScene{std::string(stop.scene)}};
+    std::vector<Command> commands{command::LoadScene{std::string(stop.scene)}};
     if (!stop.versus.empty()) commands.emplace_back(command::Compare{std::string(stop.versus)});
     for (const std::string& change : split_assignments(stop.changes)) commands.emplace_back(command::Set{change});
     return commands;

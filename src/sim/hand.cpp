@@ -19,8 +19,13 @@ constexpr Real hand_weights = 3;
 /// Rounds to find the velocity at the bound; each is left with at most some two thirds of the excess.
 constexpr int hand_rounds = 12;
 
+/// The time in which a ball closes a small gap [s]: so much longer than the one in which it follows the hand's
+/// velocity that it hardly overshoots.
+constexpr Real ball_lag = Real(0.08);
+
 void check_number(const std::string& what, int number, std::size_t count) {
     if (number >= 0 && static_cast<std::size_t>(number) < count) return;
+    if (count == 0) throw InputError(what + " " + std::to_string(number) + ": this scene has none");
     throw InputError(what + " " + std::to_string(number) + ": allowed 0 to " + std::to_string(count - 1));
 }
 
@@ -91,14 +96,22 @@ void Hand::grab(const command::Grab& command, std::span<Cloth> cloths) {
     const auto number = static_cast<std::size_t>(command.cloth);
     Cloth& cloth = cloths[number];
     release(cloths);
-    grab_ = Grab{number, command.particle, cloth.state.x.row(command.particle).transpose(),
-                 cloth.model.pinned(command.particle)};
+    target_ = cloth.state.x.row(command.particle).transpose();
+    grab_ = Grab{number, command.particle, cloth.model.pinned(command.particle)};
     cloth.energy.touch(cloth.model, cloth.state);
     cloth.model.hold(command.particle, true);
     cloth.grabbed = command.particle;
 }
 
+void Hand::hold(const command::Hold& command, std::span<const Ball> balls, std::span<Cloth> cloths) {
+    check_number("hold: ball", command.ball, balls.size());
+    release(cloths);
+    ball_ = command.ball;
+    target_ = balls[static_cast<std::size_t>(ball_)].centre;
+}
+
 void Hand::release(std::span<Cloth> cloths) {
+    ball_ = -1;
     if (!grab_) return;
     Cloth& cloth = cloths[grab_->cloth];
     cloth.energy.touch(cloth.model, cloth.state);
@@ -117,15 +130,24 @@ void Hand::hold_in(std::size_t cloth, ClothModel& model) {
     model.hold(grab_->particle, true);
 }
 
+Vec3 Hand::towards_target(const Vec3& here, Real lag) const {
+    Vec3 velocity = (target_ - here) / lag;
+    const Real speed = velocity.norm();
+    if (speed > hand_speed) velocity *= hand_speed / speed;
+    return velocity;
+}
+
+std::optional<Vec3> Hand::velocity_of(std::size_t ball, const Vec3& centre, Real h) const {
+    if (static_cast<int>(ball) != ball_) return std::nullopt;
+    return towards_target(centre, std::max(ball_lag, h));
+}
+
 void Hand::lead(std::span<Cloth> cloths, Real h) {
     if (!grab_) return;
     Cloth& cloth = cloths[grab_->cloth];
     const Vec3 here = cloth.state.x.row(grab_->particle).transpose();
-    Vec3 velocity = (grab_->target - here) / std::max(hand_lag, h);
-    const Real speed = velocity.norm();
-    if (speed > hand_speed) velocity *= hand_speed / speed;
     const Grip grip{cloth.model, cloth.state, grab_->particle, h};
-    velocity = within_limit(grip, within_bound(grip, velocity));
+    const Vec3 velocity = within_limit(grip, within_bound(grip, towards_target(here, std::max(hand_lag, h))));
     const Real gained = velocity.squaredNorm() - cloth.state.v.row(grab_->particle).squaredNorm();
     cloth.energy.give(static_cast<double>(cloth.model.particle_mass / 2 * std::max(gained, Real(0))));
     cloth.energy.touch(cloth.model, cloth.state);

@@ -48,8 +48,8 @@ bool Simulation::input(const Substep& now) {
     hand_.lead(cloths_, now.h);
     for (std::size_t b = 0; b < balls_.size(); ++b) {
         if (report_.asleep && balls_[b].inverse_mass != 0) continue;
-        move_ball(settings_.balls[b], steer_, gravity_of(settings_), displacement_factor(settings_.solver.integrator),
-                  static_cast<Real>(now.time), now.h, balls_[b]);
+        move_ball(settings_.balls[b], hand_.velocity_of(b, balls_[b].centre, now.h), steer_, gravity_of(settings_),
+                  displacement_factor(settings_.solver.integrator), static_cast<Real>(now.time), now.h, balls_[b]);
     }
     for (std::size_t s = 0; s < solids_.size(); ++s) {
         move_solid(settings_.solids[s], static_cast<Real>(now.time), now.h, solids_[s]);

@@ -73,6 +73,7 @@ void Simulation::carry_out(const Command& command) {
                    [&](const command::Throw& thrown) { throw_ball(thrown); },
                    [&](const command::Fall&) { move_ball_by(BallMotion::Free); },
                    [&](const command::Grab& grab) { hand_.grab(grab, cloths_), wake(); },
+                   [&](const command::Hold& hold) { hand_.hold(hold, balls_, cloths_), wake(); },
                    [&](const command::Drag& drag) { hand_.drag(drag.target); },
                    [&](const command::Release&) {
                        if (!hand_.holds()) return;

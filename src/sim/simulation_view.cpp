@@ -8,9 +8,10 @@
 namespace drape {
 namespace {
 
-/// Marks what searches of cloth against cloth do with the nodes of the hierarchies that are shown. For pictures alone:
-/// these searches are for what is nearer than the thickness at this moment, and no contact depends on them. (Those of a
-/// run look farther ahead, find touching cells in another way, and keep what they find, see `SelfSearch`.)
+/// Marks what searches of cloth against cloth do with the nodes of the hierarchies that are shown, where there is no
+/// ball: beside its search, which prunes most, one sees nothing of what that prunes. For pictures alone: these searches
+/// are for what is nearer than the thickness at this moment, and no contact depends on them. (Those of a run look
+/// farther ahead, find touching cells in another way, and keep what they find, see `SelfSearch`.)
 /// @param cloths with hierarchies that are fit to be drawn, see `ContactSearch::show`
 /// @param rows with the pairs in contact
 /// @param touched receives the cells of each cloth with a particle of such a pair, in no particular order
@@ -70,7 +71,7 @@ FrameView Simulation::view(Real blend) {
     }
     report_.rms_speed = std::sqrt(square_sum / particles);
     TraversalStats pair_search;
-    if (settings_.view.bounds && settings_.contact.self) {
+    if (settings_.view.bounds && settings_.contact.self && balls_.empty()) {
         pair_search = mark_pairs(cloths_, contact_.rows(), settings_.contact, pair_cells_);
         for (std::size_t c = 0; c < shown_.size(); ++c) shown_[c].pair_cells = pair_cells_[c];
     }
@@ -87,7 +88,9 @@ FrameView Simulation::view(Real blend) {
             .scene = scene_,
             .paused = paused_,
             .held = hand_.holds(),
-            .steered_ball = leads ? static_cast<int>(users_ball_) : -1,
+            .steered_ball = hand_.ball() >= 0 ? hand_.ball()
+                            : leads           ? static_cast<int>(users_ball_)
+                                              : -1,
             .pair_search = pair_search};
 }
 

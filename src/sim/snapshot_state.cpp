@@ -136,7 +136,7 @@ void Simulation::exchange(SnapshotText& text) {
     exchange_users_ball(text);
     for (Ball& ball : balls_) drape::exchange(text, ball);
     for (Solid& solid : solids_) drape::exchange(text, solid);
-    hand_.exchange(text, cloths_);
+    hand_.exchange(text, cloths_, balls_.size());
     for (Cloth& cloth : cloths_) {
         text.line("cloth", cloth.pin_speed, cloth.model.air.velocity, within(cloth.model.air.density, 0, 1e3));
         drape::exchange(text, cloth.state);
@@ -211,12 +211,13 @@ void EnergyLedger::exchange(SnapshotText& text) {
               contact_power_.wind, contact_power_.hand, contact_power_.pins);
 }
 
-void Hand::exchange(SnapshotText& text, std::span<Cloth> cloths) {
-    bool holds = grab_.has_value();
-    text.line("hand", holds);
-    if (!holds) return;
-    if (text.reads()) grab_ = Grab{0, 0, Vec3::Zero(), false};
-    text.line("holds", within(grab_->cloth, 0, static_cast<double>(cloths.size() - 1)), grab_->particle, grab_->target);
+void Hand::exchange(SnapshotText& text, std::span<Cloth> cloths, std::size_t balls) {
+    int kind = grab_ ? 1 : ball_ >= 0 ? 2 : 0;
+    text.line("hand", within(kind, 0, balls == 0 ? 1 : 2));
+    if (kind == 2) text.line("holds", within(ball_, 0, static_cast<double>(balls) - 1), target_);
+    if (kind != 1) return;
+    if (text.reads()) grab_ = Grab{0, 0, false};
+    text.line("holds", within(grab_->cloth, 0, static_cast<double>(cloths.size() - 1)), grab_->particle, target_);
     if (!text.reads()) return;
     Cloth& cloth = cloths[grab_->cloth];
     if (grab_->particle >= cloth.model.grid.particles()) text.refuse("an existing particle");

@@ -75,9 +75,9 @@ int substeps_in_contact(const Settings& settings, bool may_touch, int planned) {
 
 /// How many substeps a step needs for no ball and no particle near it to come nearer to each other within one than half
 /// the ball's radius, by their speeds at its start and gravity; at most 128. What else forces add within the step is
-/// not foreseen. 1 where `contact.continuous` is false.
+/// not foreseen, but the hand is, and the keys are. 1 where `contact.continuous` is false.
 /// @par Cost O(particles), and O(particles) more for each ball that fast cloth may come to
-int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls) {
+int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, std::span<const Ball> balls, int held) {
     if (balls.empty() || settings.contact.continuous == Continuous::Never) return 1;
     const auto dt = static_cast<Real>(settings.solver.dt);
     const Real of_gravity = gravity_of(settings).norm() * dt;
@@ -91,7 +91,9 @@ int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, s
         for (std::size_t b = 0; b < balls.size(); ++b) {
             const Ball& ball = balls[b];
             const Real of_keys = settings.balls[b].motion == BallMotion::Keys ? settings.balls[b].speed : Real(0);
-            const Real own = std::max(ball.velocity.norm(), of_keys), radius = ball.radius + settings.contact.thickness;
+            const Real of_hand = static_cast<int>(b) == held ? hand_speed : Real(0);
+            const Real own = std::max({ball.velocity.norm(), of_keys, of_hand});
+            const Real radius = ball.radius + settings.contact.thickness;
             const auto way = [&](Real of_cloth) { return (own + of_cloth + of_gravity) * dt; };
             if (2 * way(speed) <= radius || !Aabb{ball.centre, ball.centre}.comes_within(box, radius + way(speed)))
                 continue;
@@ -192,7 +194,7 @@ void Simulation::plan_step() {
         if (report_.step % between == 0) plan(planned_substeps_);
     }
     const bool touches = report_.contacts > 0 || contact_.is_near();
-    const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_);
+    const int of_balls = report_.asleep ? 1 : substeps_of_balls(settings_, cloths_, balls_, hand_.ball());
     const bool may_touch = of_balls > 1 || touches || (!report_.asleep && has_penalties(settings_.contact.response));
     report_.substeps = std::max(of_balls, substeps_in_contact(settings_, may_touch, planned_substeps_));
     if (contact_.self().on()) report_.substeps = std::max(report_.substeps, substeps_of_motion(cloths_, solver));

@@ -58,12 +58,14 @@ TEST(MenuMark, SaysWhetherAFlagIsOnAndWhatScene) {
     EXPECT_EQ(text_of("scene drop"), "now");
     EXPECT_EQ(text_of("scene curtain"), "");
     EXPECT_EQ(text_of("pause"), "");
+    simulation.apply(parse_command("set solver.dt=3e-4"));
+    EXPECT_EQ(text_of("add solver.dt 1e-04"), "3e-04 s") << "no value of the list is the present one";
 }
 
 TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
     const std::vector<Entry> entries = make_entries(scene_names());
-    const auto command_of = [&](unsigned char code, bool shift) {
-        const Entry* entry = find_entry(entries, character_key(code, shift));
+    const auto command_of = [&](unsigned char code, bool shift, bool control = false) {
+        const Entry* entry = find_entry(entries, character_key(code, shift, control));
         return entry == nullptr ? "" : entry->command + (entry->manner == Manner::OneFrame ? " frame" : "");
     };
     EXPECT_EQ(command_of('b', false), "next view.bounds");
@@ -76,7 +78,13 @@ TEST(Entries, ALetterIsItsKeyInEitherCaseUnlessShiftHasItsOwn) {
     EXPECT_EQ(command_of('[', false), "add view.level -1");
     EXPECT_EQ(command_of(' ', false), "pause");
     EXPECT_EQ(command_of(27, false), "quit");
-    EXPECT_EQ(command_of('q', false), "quit");
+    for (const bool shift : {false, true}) EXPECT_EQ(command_of('q', shift), "steer 0 -1 0");
+    constexpr unsigned char control_q = 'Q' - 'A' + 1, control_i = '\t';
+    EXPECT_EQ(command_of(control_q, false, true), "quit");
+    EXPECT_EQ(command_of(control_q, true, true), "quit");  // Caps Lock
+    EXPECT_EQ(command_of(control_i, false, true), "");
+    EXPECT_EQ(command_of(control_i, false), "next view.panel");
+    EXPECT_EQ(command_of(27, false, true), "");
     EXPECT_EQ(command_of('#', false), "");
 }
 

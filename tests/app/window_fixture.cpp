@@ -83,7 +83,7 @@ long long WindowTest::last_step() const {
 }
 
 std::string WindowTest::quit() {
-    desktop_.key("q");
+    desktop_.key("ctrl+q");
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
     return drape_->standard_output();
 }

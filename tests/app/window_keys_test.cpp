@@ -1,10 +1,13 @@
 // Keys and menu, pressed as a user presses them.
 
+#include <gmock/gmock.h>
+
 #include <filesystem>
 #include <map>
 
 #include "../../src/app/keys.h"
 #include "app/window_fixture.h"
+#include "drape/base/stopwatch.h"
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
 #include "drape/session/comparison.h"
@@ -15,6 +18,7 @@ namespace {
 
 using test::eventually;
 using test::WindowTest;
+using testing::ElementsAre;
 
 // An entry's key as xdotool calls it.
 std::string symbol_of(const std::string& key) {
@@ -24,6 +28,7 @@ std::string symbol_of(const std::string& key) {
         {"Esc", "Escape"},    {"PageUp", "Prior"},   {"PageDown", "Next"}};
     if (const auto found = names.find(key); found != names.end()) return found->second;
     if (key.starts_with("Shift+")) return "shift+" + symbol_of(key.substr(6));
+    if (key.starts_with("Ctrl+")) return "ctrl+" + symbol_of(key.substr(5));
     return key.size() == 1 && std::isupper(static_cast<unsigned char>(key[0])) != 0
                ? std::string(1, static_cast<char>(std::tolower(key[0])))
                : key;
@@ -41,13 +46,13 @@ TEST_F(WindowTest, EveryKeyGivesTheCommandOfItsEntry) {
         const bool goes_back = entry.manner == Manner::StepBack || entry.manner == Manner::FrameBack;
         if (entry.command == "quit" || goes_back) continue;  // nor the search, which gives none
         for (const std::string& key : entry.keys) {
-            if (without_shift(key) == last) {
+            if (without_modifiers(key) == last) {
                 // A key of its own between two of the same: else the second could pass for a repeat of the first
                 const std::size_t with_shift = commands().size();
                 desktop_.key("c");
                 EXPECT_TRUE(recorded("next view.contacts", with_shift));
             }
-            last = without_shift(key);
+            last = without_modifiers(key);
             const std::size_t before = commands().size();
             desktop_.key(symbol_of(key));
             const std::size_t name_end = entry.command.find_first_of(entry.command.starts_with("set") ? "=" : " ");
@@ -107,8 +112,39 @@ TEST_F(WindowTest, TheTourGoesForwardAndBackAndEscapeLeavesIt) {
     EXPECT_TRUE(recorded("pause", paused)) << "and so does the tour, from where it was left";
     desktop_.key("3");
     ASSERT_TRUE(recorded("scene " + scene_names()[2])) << "another scene is none of the tour";
-    desktop_.key("Escape");
+    desktop_.act({"key", "--repeat", "2", "Escape"});
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
+}
+
+TEST_F(WindowTest, WhoLeavesTheTourLeavesItsComparison) {
+    start({"--tour"});
+    desktop_.key("F1");
+    ASSERT_TRUE(recorded("compare cloth.shear.stiffness=200"));
+    const std::size_t compared = commands().size();
+    desktop_.key("Escape");
+    EXPECT_TRUE(recorded("compare none", compared));
+    quit();
+}
+
+TEST_F(WindowTest, AReloadedSceneIsAsTheWindowFirstShowedIt) {
+    start({"hang", "--set", "solver.dt=3e-4", "--versus", "contact.friction=0.7"});
+    const auto reload = [this] {
+        std::size_t before = commands().size();
+        desktop_.key("i");
+        EXPECT_TRUE(recorded("next solver.integrator", before));
+        before = commands().size();
+        desktop_.key("ctrl+r");
+        EXPECT_TRUE(recorded("set ", before));
+        const std::vector<std::string> all = commands();
+        return std::vector(all.begin() + static_cast<std::ptrdiff_t>(before), all.end());
+    };
+    EXPECT_THAT(reload(), ElementsAre("scene hang", "compare contact.friction=0.7", "set solver.dt=3e-4"));
+    desktop_.act({"key", "--repeat", "4", "F1"});
+    ASSERT_TRUE(recorded("set view.target=0.12"));
+    const std::vector<std::string> stop = reload();
+    EXPECT_EQ(stop.front(), "scene " + std::string(tour_stops()[3].scene));
+    EXPECT_EQ(stop[1], "set contact.leaf_cells=2") << "the stop of the tour, with its changes";
+    quit();
 }
 
 TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
@@ -129,6 +165,9 @@ TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     const std::size_t shifted = steers_with({"keydown", "shift", "keydown", "w"});
     desktop_.act({"keyup", "shift", "keyup", "w"});
     EXPECT_TRUE(recorded("steer 0 0 0", shifted)) << "Shift goes first";
+    const std::size_t controlled = steers_with({"keydown", "q", "keydown", "ctrl"});
+    desktop_.act({"keyup", "q", "keyup", "ctrl"});
+    EXPECT_TRUE(recorded("steer 0 0 0", controlled)) << "Control comes in between, and does not quit";
     const std::size_t lost = steers_with({"keydown", "d"});
     desktop_.take_keyboard_away();
     EXPECT_TRUE(recorded("steer 0 0 0", lost)) << "without the keyboard";
@@ -164,12 +203,32 @@ TEST_F(WindowTest, TheMenuChoosesUnderThePointerAndAnOpenOneDoesNoHarm) {
     quit();
 }
 
-TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
-    start({"hang", "--set", "view.controls=true", "view.help=true"});
+// A notice is dark before a bright background, at the top in the middle, and stays for five seconds
+TEST_F(WindowTest, ASceneTakesItsNoticesWithIt) {
+    start({"hang"});
+    const auto comes_to = [this](bool shown) {
+        return eventually([&] { return (*desktop_.picture_of(window_).pixel(320, 10) < 100) == shown; });
+    };
+    EXPECT_TRUE(comes_to(false));
+    // More than once, should the machine be slow
+    EXPECT_TRUE(eventually([&] {
+        desktop_.key("v");
+        EXPECT_TRUE(comes_to(true));
+        const Stopwatch watch;
+        desktop_.key("ctrl+r");
+        EXPECT_TRUE(comes_to(false));
+        return watch.seconds() < 3;
+    }));
+    quit();
+}
+
+TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItAsksAndQuits) {
+    start({"hang", "--set", "view.controls=true", "view.help=true", "--versus", "contact.friction=0.7"});
+    const std::size_t begun = commands().size();
     desktop_.open_menu(20, 100);
     desktop_.key("Escape");
     ASSERT_TRUE(test::eventually([&] { return desktop_.visible_windows() == 1; })) << "the menu stays";
-    EXPECT_TRUE(commands().empty());
+    EXPECT_EQ(commands().size(), begun);
     desktop_.hold("Escape", window_, 5);
     ASSERT_TRUE(recorded("set view.help=false"));
     desktop_.key("c");
@@ -177,7 +236,11 @@ TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItQuits) {
     EXPECT_FALSE(recorded_now("set view.controls")) << "a key that is held closes one thing";
     desktop_.key("Escape");
     ASSERT_TRUE(recorded("set view.controls=false"));
-    EXPECT_TRUE(drape_->running());
+    desktop_.key("Escape");
+    ASSERT_TRUE(recorded("compare none"));
+    desktop_.hold("Escape", window_, 5);
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next wind.on")) << "it has asked, and goes on";
     desktop_.key("Escape");
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
 }

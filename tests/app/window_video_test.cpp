@@ -153,7 +153,7 @@ TEST_F(WindowTest, TheEndOfTheProgramFinishesAVideo) {
         ASSERT_TRUE(recorded("video"));
         const double used = drape_->processor_time();
         ASSERT_TRUE(eventually([&] { return drape_->processor_time() > used + 0.15; }));
-        signalled ? drape_->send(SIGTERM) : desktop_.key("Escape");
+        signalled ? drape_->send(SIGTERM) : desktop_.key("ctrl+q");
         EXPECT_EQ(drape_->wait(60), signalled ? 128 + SIGTERM : 0);
         const std::string name = signalled ? "drape-0002.mp4" : "drape-0001.mp4";
         EXPECT_THAT(drape_->standard_error(), HasSubstr("drape: Video written: " + name));

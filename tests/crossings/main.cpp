@@ -1,8 +1,8 @@
-// Counts crossings exactly after every step. First each scene that folds by itself for --time seconds, with each grid,
-// each integrator that is stable there and the settings that are given; then each scene that has self contact and no
-// more than 10,000 particles for --play seconds more, as it is shipped but for these settings, while hand, keys, pins
-// and wind do at random what a user may do. Exit code 1 where cloth has crossed cloth, a run has come to an end before
-// its time, or there was no step at all; 2 for bad input.
+// Counts crossings exactly after every step, or every so many. First each scene that folds by itself for --time
+// seconds, with each grid, each integrator that is stable there and the settings that are given; then each scene that
+// has self contact and no more than 10,000 particles for --play seconds more, as it is shipped but for these settings,
+// while hand, keys, pins and wind do at random what a user may do. Exit code 1 where cloth has crossed cloth, a run has
+// come to an end before its time, or there was no step at all; 2 for bad input.
 
 #include <algorithm>
 #include <cstdio>
@@ -26,8 +26,9 @@ struct Options {
     std::vector<std::string> scenes, played, integrators, assignments;
     std::vector<int> sides;
     double time = 0, play = 0;  ///< simulated [s]
+    double drags = 0;           ///< that a hand sends on its way from one command to the next [1/s]
     bool self = true;
-    unsigned long seed = 1;
+    unsigned long seed = 1, every = 1;
 };
 
 /// @return the number that a whole text is; 0 if it is empty
@@ -41,9 +42,10 @@ double positive(const std::string& name, const std::string& value) {
 
 /// What was seen after the steps of a run.
 struct Tally {
-    std::int64_t steps = 0, crossed = 0, pairs = 0, held_back = 0;
+    std::int64_t steps = 0, crossed = 0, pairs = 0, held_back = 0, commands = 0;
     int ended = 0;  ///< runs that came to their end before their time
     std::string error;
+    std::int64_t every = 1;  ///< steps from one count to the next
     test::SceneCrossings oracle;
 
     /// @return whether nothing has crossed
@@ -52,6 +54,7 @@ struct Tally {
         pairs += simulation.report().pairs;
         held_back += simulation.report().failsafe_particles;
         if (simulation.report().status != Status::Ok) ++ended, error = simulation.report().error;
+        if (steps % every != 0) return true;
         const std::int64_t count = oracle.count(simulation);
         if (count > 0) ++crossed;
         return count == 0;
@@ -59,10 +62,12 @@ struct Tally {
 
     void tell(const std::string& what, double simulated, double seconds) const {
         std::printf(
-            "%s: %.3f s, %lld steps, %lld with crossings, %lld pairs answered, %lld particles held back, %d ended, "
-            "%.0f s of the clock\n",
-            what.c_str(), simulated, static_cast<long long>(steps), static_cast<long long>(crossed),
-            static_cast<long long>(pairs), static_cast<long long>(held_back), ended, seconds);
+            "%s: %.3f s, %lld commands, %lld steps, %lld with crossings, %lld pairs answered, %lld particles held "
+            "back, "
+            "%d ended, %.0f s of the clock\n",
+            what.c_str(), simulated, static_cast<long long>(commands), static_cast<long long>(steps),
+            static_cast<long long>(crossed), static_cast<long long>(pairs), static_cast<long long>(held_back), ended,
+            seconds);
         if (!error.empty()) std::printf("  %s\n", error.c_str());
         std::fflush(stdout);
     }
@@ -71,6 +76,7 @@ struct Tally {
 /// A run that nobody touches. @return its tally; one without steps if the method is stable at none
 Tally run(const Options& options, const std::string& scene, int side, const std::string& integrator) {
     Tally tally;
+    tally.every = static_cast<std::int64_t>(options.every);
     const Stopwatch clock;
     Settings settings = scene_of_side(scene, side);
     settings.contact.self = options.self;
@@ -90,18 +96,24 @@ Tally run(const Options& options, const std::string& scene, int side, const std:
 class Player : test::RandomUser {
 public:
     Player(const Options& options, const std::string& scene)
-        : RandomUser(options.seed, {scene, scene_of(scene, options.assignments)}) {}
+        : RandomUser(options.seed, {scene, scene_of(scene, options.assignments)}), options_(options) {}
 
-    Tally play(double seconds) {
+    Tally play() {
         Tally tally;
+        tally.every = static_cast<std::int64_t>(options_.every);
         const Stopwatch clock;
         double played = 0;
-        while (played < seconds) {
+        while (played < options_.play) {
             send(next_command());
+            ++tally.commands;
             const double start = simulation.report().time, end = start + between(0, below(8) == 0 ? 0.8 : 0.05);
             double now = start;
             bool good = true;
             while (now < end && good) {
+                if (options_.drags > 0 && between(0, 1) < options_.drags * simulation.settings().solver.dt) {
+                    send(next_drag());
+                    ++tally.commands;
+                }
                 simulation.step();
                 now = simulation.report().time;
                 good = simulation.report().status == Status::Ok;
@@ -136,6 +148,13 @@ private:
         return " " + std::to_string(cloth) + " " + std::to_string(below(count));
     }
 
+    /// The hand goes on, a little at random.
+    std::string next_drag() {
+        for (Real& place : hand_)
+            place = std::clamp(place + static_cast<Real>(between(-0.03, 0.03)), Real(-1), Real(1));
+        return "drag" + vector(0, hand_);
+    }
+
     std::string next_command() {
         const std::size_t chosen = below(24);
         if (chosen == 0) return "reset";
@@ -151,13 +170,16 @@ private:
         if (chosen < 14) return "steer" + vector(1);
         return chosen == 14 ? "steer 0 0 0" : "drag" + vector(0.8);
     }
+
+    const Options& options_;
+    Vec3 hand_ = Vec3::Zero();  ///< where it was sent last [m]
 };
 
 int count(const Options& options) {
-    std::int64_t steps = 0, crossed = 0;
+    std::int64_t steps = 0, crossed = 0, commands = 0;
     int ended = 0;
     const auto add = [&](const Tally& tally) {
-        steps += tally.steps, crossed += tally.crossed;
+        steps += tally.steps, crossed += tally.crossed, commands += tally.commands;
         ended += tally.ended;
     };
     for (const int side : options.sides) {
@@ -166,8 +188,9 @@ int count(const Options& options) {
         }
     }
     for (const std::string& scene : options.played) {
-        if (options.play > 0) add(Player(options, scene).play(options.play));
+        if (options.play > 0) add(Player(options, scene).play());
     }
+    std::printf("%lld commands\n", static_cast<long long>(commands));
     std::printf("result,steps of scenes of self contact that are searched for crossings,%lld,%lld\n",
                 static_cast<long long>(steps), static_cast<long long>(crossed));
     return crossed == 0 && ended == 0 && steps > 0 ? 0 : 1;
@@ -182,7 +205,7 @@ int run_all(int argc, char** argv) {
     const std::vector<std::string> integrators{names_of<IntegratorKind>().begin(), names_of<IntegratorKind>().end()};
     Options options;
     std::vector<std::string> sides;
-    std::string time, play, seed = "1";
+    std::string time, play, seed = "1", every = "1", drags;
     bool without = false;
     CommandLine line("count_crossings", "Counts where cloth crosses cloth in the scenes of self contact.");
     line.option(
@@ -194,6 +217,8 @@ int run_all(int argc, char** argv) {
     line.option("--side", sides, "Particles along each side of a grid", {"N"});
     line.option("--time", time, "Simulated time of each run", {"SECONDS"});
     line.option("--play", play, "Simulated time for which each scene is played with", {"SECONDS"});
+    line.option("--drags", drags, "That a player's hand sends a second besides, on its way", {"RATE"});
+    line.option("--every", every, "Steps from one count of crossings to the next", {"N"});
     line.option("--seed", seed, "Of what is done at random", {"K"});
     line.flag("--without-self", without, "Without contact between cloths");
     if (!line.parse(argc, argv)) return Done;
@@ -204,6 +229,8 @@ int run_all(int argc, char** argv) {
     options.time = positive("--time", time);
     options.play = positive("--play", play);
     options.seed = static_cast<unsigned long>(positive("--seed", seed));
+    options.drags = positive("--drags", drags);
+    options.every = std::max(1UL, static_cast<unsigned long>(positive("--every", every)));
     options.self = !without;
     return count(options);
 }

@@ -34,8 +34,8 @@ page() {
     cat <<'END'
 # The data
 
-Each table of the other pages, and each chart, is made from one of these files. This list says which command made it, of
-which commit, on what and when, and whether the code that it measures has changed since. "A case
+Each table of measurements on the other pages, and each chart, is made from one of these files. This list says which
+command made it, of which commit, on what and when, and whether the code that it measures has changed since. "A case
 recomputed": a test computes one case of the table again, and finds all as it was but times
 (`tests/docs/recompute.sh`). The list is made by `tests/docs/data.sh`; a test holds it to the history.
 

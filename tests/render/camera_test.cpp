@@ -92,6 +92,18 @@ TEST(Camera, FrameBringsEverythingIntoThePicture) {
     }
 }
 
+TEST(Camera, GoesHomeToTheViewOfItsScene) {
+    Settings settings;
+    settings.view = looking({0, 1, 2}, {0, 0.5, 0});
+    FrameView view;
+    view.settings = &settings;
+    Camera camera(settings.view);
+    for (const char* command : {"orbit 0.3 0.2", "pan 0.1 0.2", "zoom 2"}) camera.apply(parse_command(command), view);
+    EXPECT_FALSE(camera == Camera(settings.view));
+    camera.apply(command::Home{}, view);
+    EXPECT_TRUE(camera == Camera(settings.view));
+}
+
 TEST(Camera, SeesABallUntilAllOfItIsOutOfThePicture) {
     const Camera camera(looking({0, 0, 3}, {0, 0, 0}));
     const auto sees = [&](const Vec3& centre, float aspect) { return camera.sees({centre, Real(0.2)}, aspect); };

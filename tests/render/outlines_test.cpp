@@ -41,10 +41,10 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
         ContactRow first, last;
         first.triangle = 0;
         last.triangle = 2 * grid.cells() - 1;
-        EXPECT_EQ(states({}, true), (std::set{NodeState::Pruned, NodeState::FalseCandidate}));
-        EXPECT_EQ(states({}, false), (std::set{NodeState::Pruned, NodeState::Leaf})) << "nothing is known yet";
+        EXPECT_EQ(states({}, true), (std::set{NodeState::Pruned, NodeState::FalseLeaf}));
+        EXPECT_EQ(states({}, false), (std::set{NodeState::Pruned, NodeState::Untested})) << "nothing is known yet";
         EXPECT_EQ(states({&first, 1}, true), (std::set{NodeState::Pruned, NodeState::Touching}));
-        EXPECT_EQ(states({&last, 1}, true), (std::set{NodeState::Pruned, NodeState::FalseCandidate}))
+        EXPECT_EQ(states({&last, 1}, true), (std::set{NodeState::Pruned, NodeState::FalseLeaf}))
             << "the query has left that one out";
     }
 }
@@ -54,7 +54,7 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
 template <class Volume>
 std::vector<Vec3> check_outline(const Volume& volume, std::size_t faces) {
     Outlines outlines;
-    append_outline(volume, 0, NodeState::Visited, outlines);
+    append_outline(volume, 0, NodeState::FalseInner, outlines);
     const long double size = volume.sphere().radius;
     EXPECT_GE(outlines.edges.size(), 6u);
     EXPECT_LE(outlines.edges.size(), 3 * faces - 6);
@@ -109,7 +109,7 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
     }
     for (const auto& [x, side] : {std::pair(square, 4.0), std::pair(diamond, std::sqrt(32.0))}) {
         Outlines outlines;
-        append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::Visited, outlines);
+        append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::FalseInner, outlines);
         EXPECT_EQ(outlines.edges.size(), 8u);
         for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
     }
@@ -118,11 +118,11 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
 TEST(Outlines, OfAPointOrALineAreNothingOrTheLine) {
     const Grid grid{3, 3};
     Outlines outlines;
-    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), 0, NodeState::Visited, outlines);
+    append_outline(KDop<26>::fit(whole(Points::Constant(9, 3, 0.1), grid)), 0, NodeState::FalseInner, outlines);
     EXPECT_TRUE(outlines.edges.empty());
     Points x = Points::Zero(9, 3);
     for (int p = 0; p < 9; ++p) x(p, 1) = p;
-    append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::Visited, outlines);
+    append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::FalseInner, outlines);
     ASSERT_FALSE(outlines.edges.empty());
     for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 8, 1e-3);
 }

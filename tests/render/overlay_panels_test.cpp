@@ -10,7 +10,6 @@
 #include "drape/scene/scene.h"
 #include "drape/session/comparison.h"
 #include "drape/sim/simulation.h"
-#include "render/drawn_letters.h"
 
 namespace drape {
 namespace {
@@ -111,7 +110,7 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     in_past_ = true;
     expect_apart({640, 480}, {});
     const std::size_t others = panels_.boxes().size();
-    expect_apart({640, 480}, {"Slower than real time: 1.6 s of simulation skipped"});
+    expect_apart({640, 480}, {"The scene runs slower than real time: 1.6 s behind so far"});
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 
@@ -170,37 +169,6 @@ TEST_F(PanelBoxes, AreNotSmallerOnADisplayOfMorePixels) {
             before = width;
         }
     }
-}
-
-TEST_F(PanelBoxes, CompareWithNoTimeOfARunThatSleeps) {
-    FrameView view = simulation_.view();
-    int letters[2];
-    for (const bool sleeps : {false, true}) {
-        compared_ = comparison_.view(simulation_);
-        StepReport other = *compared_.other.report;
-        other.times = {};
-        other.asleep = sleeps;
-        compared_.other.report = &other;
-        view.comparison = &compared_;
-        OverlayPanels panels;
-        panels.build(view, Camera(settings_.view), {}, {}, 1280, 720);
-        letters[sleeps] = test::letters_within({0, 0, 1280, 720}).whole;
-    }
-    EXPECT_EQ(letters[true] - letters[false], 2 * 6 - 4) << "asleep in place of 0 and 0.0";
-}
-
-TEST_F(PanelBoxes, SayInPlaceOfTheTimelineThatASceneIsTooLargeToGoBackIn) {
-    FrameView view = simulation_.view();
-    const auto shows_timeline = [&](bool paused, Timeline timeline) {
-        view.paused = paused;
-        view.timeline = timeline;
-        panels_.build(view, Camera(settings_.view), {}, {}, 1280, 720);
-        return panels_.shows_timeline();
-    };
-    EXPECT_TRUE(shows_timeline(true, {.oldest = 7, .now = 7, .newest = 7}));
-    EXPECT_FALSE(shows_timeline(false, {.oldest = 7, .now = 7, .newest = 7}));
-    EXPECT_FALSE(shows_timeline(true, {.oldest = 7, .now = 7, .newest = 7, .bytes = 1e6})) << "the past begins here";
-    EXPECT_FALSE(shows_timeline(true, {})) << "a picture of drape-capture";
 }
 
 /// Rows, seen from the panel's height.

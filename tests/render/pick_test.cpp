@@ -32,8 +32,13 @@ TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHitAndNothingBesideOr
     EXPECT_EQ(pick_particle(view, {Vec3(0.5, 1, 0.5), up}).particle, -1) << "behind the eye";
     const std::vector<Ball> balls{{Vec3(0.5, 0.5, 0.5), Real(0.2), Vec3::Zero()}};
     view.balls = balls;
-    EXPECT_EQ(pick_particle(view, {Vec3(0.5, 2, 0.5), down}).particle, -1) << "behind a ball";
-    EXPECT_NE(pick_particle(view, {Vec3(0.5, -2, 0.5), up}).particle, -1);
+    const Pick at_ball = pick_particle(view, {Vec3(0.6, 2, 0.5), down});
+    EXPECT_EQ(at_ball.particle, -1) << "behind a ball";
+    EXPECT_EQ(at_ball.ball, 0);
+    EXPECT_TRUE((at_ball.point + at_ball.to_centre).isApprox(balls[0].centre));
+    const Pick at_cloth = pick_particle(view, {Vec3(0.5, -2, 0.5), up});
+    EXPECT_NE(at_cloth.particle, -1);
+    EXPECT_EQ(at_cloth.ball, -1);
 }
 
 TEST(PickParticle, TakesTheClothThatIsInFront) {

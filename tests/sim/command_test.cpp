@@ -30,6 +30,7 @@ std::vector<Command> one_of_each() {
             Throw{Vec3(0.5, 1, -2), Vec3(0, 1.5, -6)},
             Fall{},
             Grab{1, 17},
+            Hold{2},
             Drag{Vec3(0.1, 1e-300, -2e8)},
             Release{},
             Pin{1, 17},
@@ -37,6 +38,7 @@ std::vector<Command> one_of_each() {
             Pan{-0.25, 1e-17},
             Zoom{0.9},
             Frame{},
+            Home{},
             Picture{},
             Video{},
             Quit{}};
@@ -99,7 +101,7 @@ TEST(Command, ThatIsUnknownNamesTheNearestOne) {
 }
 
 TEST(Command, ConcernsTheStateOrThePictureOnly) {
-    const std::set<std::string> picture_only{"orbit", "pan", "zoom", "frame", "picture", "video", "quit"};
+    const std::set<std::string> picture_only{"orbit", "pan", "zoom", "frame", "home", "picture", "video", "quit"};
     for (const Command& command : one_of_each()) {
         const std::string text = command_text(command), name = text.substr(0, text.find(' '));
         EXPECT_EQ(changes_state(command), !picture_only.contains(name)) << name;

@@ -107,11 +107,20 @@ TEST(Comparison, KeepsWhatIsComparedApart) {
         EXPECT_EQ(change.of_cloth ? other.cloths[0].mass : other.balls[0].radius, Real(0.11)) << change.compared;
         EXPECT_EQ(other.contact.friction, Real(0.7)) << "the rest is the same in both";
     }
+}
+
+TEST(Comparison, OutlivesAResetButNotItsScene) {
     Session session = compared("solver.integrator=backward_euler");
-    session.send(command::LoadScene{"hang"});
-    EXPECT_EQ(session.view().comparison->other.settings->solver.integrator, IntegratorKind::BackwardEuler);
+    session.send(command::Reset{});
     make_steps(session, 20);
-    EXPECT_LT(session.view().comparison->largest, 0.1) << "of the same scene";
+    ASSERT_TRUE(session.compares());
+    EXPECT_LT(session.view().comparison->largest, 0.1) << "both have begun again";
+    EXPECT_THROW(session.send(command::LoadScene{"no such scene"}), InputError);
+    EXPECT_TRUE(session.compares());
+    session.send(command::LoadScene{"hang"});
+    EXPECT_FALSE(session.compares());
+    EXPECT_EQ(session.view().comparison, nullptr);
+    EXPECT_EQ(session.view().settings->view.colour, load_scene("hang").view.colour);
 }
 
 TEST(Comparison, IsPartOfARecording) {

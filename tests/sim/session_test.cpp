@@ -36,6 +36,9 @@ Recording busy_recording() {
     at(140, "pause");
     at(140, "step 3");
     at(143, "pause");
+    at(150, "hold 0");
+    at(150, "drag 0.3 0.4 0.3");
+    at(180, "release");
     return recording;
 }
 

@@ -111,6 +111,8 @@ TEST(SnapshotOfAUser, GoesOnWithWhatIsBeingDone) {
     check("pin 0 40");
     check("set cloth.mass=0.3");
     check("set wind.on=true");
+    check("hold 0");
+    check("drag 0.3 0.6 0.2");
     check("release");
     check("set dt=0.001");
     check("throw 0 2 0 0.5 0 0.5");

@@ -65,6 +65,8 @@ struct Pick {
     int cloth = 0;
     int particle = -1;
     Vec3 point = Vec3::Zero();
+    int ball = -1;                  ///< that it hits in place of cloth; -1: none
+    Vec3 to_centre = Vec3::Zero();  ///< of the ball, from the point; of cloth zero
 };
 Pick pick_particle(const FrameView& view, const Ray& ray);
 

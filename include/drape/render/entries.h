@@ -21,6 +21,7 @@ enum class Manner {
     FrameBack,  ///< as many as one displayed frame takes
     OneFrame,   ///< a `step` of as many steps as one displayed frame takes
     SafeStep,   ///< a `reset` after a time step at 0.9 of the stability limit, where there is one
+    Reload,     ///< the scene, or the stop of the tour, as it was first shown
     Slower,     ///< half the speed of time
     Faster,     ///< twice
     NextStop,   ///< of the tour: its scene and what it changes in it
@@ -32,7 +33,7 @@ enum class Manner {
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
 struct Entry {
     std::string menu;               ///< the submenu it is in, as "View/Colour by"; empty for the menu itself
-    std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O": letters without Shift fit either case
+    std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O", "Ctrl+Q": letters without Shift fit either case
     std::string text;               ///< as in the menu
     std::string command;            ///< in text form
     Manner manner = Manner::Once;
@@ -58,9 +59,9 @@ public:
     /// @throws InputError if its command is none, or has a setting that is none
     explicit MenuMark(const Entry& entry);
 
-    /// "on", "off", "paused", "now"; empty for what is neither.
+    /// "on", "off", "paused", "now"; of what is added to, its present value; empty for what is none of these.
     /// @param scene its name or path
-    [[nodiscard]] std::string_view text(const Settings& settings, std::string_view scene, bool paused) const;
+    [[nodiscard]] std::string text(const Settings& settings, std::string_view scene, bool paused) const;
 
 private:
     Command command_ = command::Quit{};
@@ -68,7 +69,10 @@ private:
     std::optional<SettingValue> value_;  ///< that it sets it to
 };
 
-/// "Space, P".
+/// A key in words where it is a sign that a list of keys has too: "comma".
+std::string key_name(std::string_view key);
+
+/// "Space, P"; "equals, plus".
 std::string key_text(const Entry& entry);
 
 /// What a newcomer may try first, in a scene with a ball or in one without.

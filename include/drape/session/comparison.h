@@ -26,8 +26,9 @@ public:
     Comparison(const Simulation& first, std::string assignments);
 
     /// Does to the other simulation what has been done to the first, where it can; of settings, those that are not
-    /// compared. A scene that is loaded is compared in the same settings.
-    /// @throws InputError if that scene does not take them
+    /// compared.
+    /// @throws RunError if there is too little memory
+    /// @pre the scene is still the same
     void apply(const Command& command, const Simulation& first);
 
     /// Makes the steps until it is no earlier than the first one, unless it has diverged.

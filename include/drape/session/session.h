@@ -105,6 +105,9 @@ public:
     /// Whether it is seen so now: it moves with the wall time that `advance` is told of, paused or not.
     [[nodiscard]] bool swings() const { return swing_ && simulation_.report().status == Status::Diverged; }
 
+    /// Whether another run is beside it: from `command::Compare` until the next one, or the next scene.
+    [[nodiscard]] bool compares() const { return comparison_.has_value(); }
+
     [[nodiscard]] Simulation& simulation() { return simulation_; }
 
     /// Simulated seconds of this run that were cut because the machine could not keep up or stood still; counted

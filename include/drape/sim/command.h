@@ -49,6 +49,9 @@ struct Grab {    ///< `grab 0 17`: takes a particle of a cloth in hand
     int cloth = 0;
     int particle = 0;
 };
+struct Hold {  ///< `hold 0`: takes a ball in hand, which moves it while the keys would, or while it is free
+    int ball = 0;
+};
 struct Drag {  ///< `drag 0.1 0.2 0.3`: where the hand goes [m]
     Vec3 target = Vec3::Zero();
 };
@@ -67,22 +70,24 @@ struct Zoom {  ///< `zoom 0.9`: the distance times a factor
     double factor = 1;
 };
 struct Frame {};    ///< `frame`: the whole scene into the picture
+struct Home {};     ///< `home`: the view with which the scene begins
 struct Picture {};  ///< `picture`: writes a PNG
 struct Video {};    ///< `video`: begins a video of what is shown, or ends it
 struct Quit {};     ///< `quit`
 
 /// Of the camera, the picture or the program: nothing that cloth or ball follows from.
 template <class C>
-concept OfThePicture = std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> ||
-    std::is_same_v<C, Frame> || std::is_same_v<C, Picture> || std::is_same_v<C, Video> || std::is_same_v<C, Quit>;
+concept OfThePicture =
+    std::is_same_v<C, Orbit> || std::is_same_v<C, Pan> || std::is_same_v<C, Zoom> || std::is_same_v<C, Frame> ||
+    std::is_same_v<C, Home> || std::is_same_v<C, Picture> || std::is_same_v<C, Video> || std::is_same_v<C, Quit>;
 
 }  // namespace command
 
-using Command =
-    std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load, command::Compare,
-                 command::Set, command::Next, command::Add, command::Steer, command::Throw, command::Fall,
-                 command::Grab, command::Drag, command::Release, command::Pin, command::Orbit, command::Pan,
-                 command::Zoom, command::Frame, command::Picture, command::Video, command::Quit>;
+using Command = std::variant<command::Pause, command::Step, command::Reset, command::LoadScene, command::Load,
+                             command::Compare, command::Set, command::Next, command::Add, command::Steer,
+                             command::Throw, command::Fall, command::Grab, command::Hold, command::Drag,
+                             command::Release, command::Pin, command::Orbit, command::Pan, command::Zoom,
+                             command::Frame, command::Home, command::Picture, command::Video, command::Quit>;
 
 /// The text form: one line without its end.
 std::string command_text(const Command& command);

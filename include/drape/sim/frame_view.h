@@ -23,7 +23,7 @@ struct ClothView {
     const BroadPhase* hierarchy = nullptr;  ///< as last searched; never null
     const Points* v = nullptr;              ///< n x 3 [m/s]; null: at rest
     int grabbed = -1;                       ///< the particle that the hand holds; -1: none
-    std::span<const int> pair_cells = {};   ///< that touch cloth, while bounding volumes are shown
+    std::span<const int> pair_cells = {};   ///< that touch cloth, as `FrameView::pair_search`
 };
 
 /// Where a session stands between the steps that it can go back to and those it knows already.
@@ -51,6 +51,7 @@ struct UnstableMode;
 struct SearchTimes {
     double hierarchy = 0;    ///< build, traversal and test of the candidates [s]
     double brute_force = 0;  ///< test of every cell [s]
+    [[nodiscard]] bool saves_time() const { return hierarchy < brute_force; }
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and its session, and lasts until their next
@@ -67,11 +68,11 @@ struct FrameView {
     double longest_step = 0;  ///< `Simulation::longest_step` [s]
     std::string_view scene;   ///< name or path
     bool paused = false;
-    bool held = false;                           ///< the hand holds a particle
-    int steered_ball = -1;                       ///< of several, the one that the keys lead; -1: none
+    bool held = false;                           ///< the hand holds a particle or a ball
+    int steered_ball = -1;                       ///< in the hand, or of several the one that the keys lead; -1: none
     Timeline timeline = {};                      ///< of the session; where there is none to be shown, nothing
     const ComparisonView* comparison = nullptr;  ///< with another simulation; null: none
-    TraversalStats pair_search = {};             ///< of cloth against cloth, while bounding volumes are shown
+    TraversalStats pair_search = {};             ///< of cloth against cloth, shown where there is no ball
     const UnstableMode* mode = nullptr;          ///< in which a run that has diverged swings; null: none
     const SearchTimes* search = nullptr;         ///< a measurement of about now; null: none was made
     bool prefer_speed = false;                   ///< to be drawn fast, where `view.quality` leaves it open

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "drape/model/ball.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 
@@ -15,32 +16,40 @@ inline constexpr Real hand_speed = 3, hand_lag = Real(0.03);
 /// @throws InputError that starts with the command's name, if there is no such cloth or particle
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
 
-/// Takes one particle of a cloth and leads it to a target, with a force that has a bound.
+/// Takes a ball, or one particle of a cloth, and leads it to a target, with a force that has a bound.
 ///
-/// The particle has the hand's velocity, and is pinned for the integrator: every method and every step is stable with
-/// it. That velocity closes the gap to the target within a fixed time, and is at most that of a hand. Where the springs
-/// would then pull by more than the bound at the end of the step, with the neighbours moving on as they do, it is the
-/// velocity at which they pull by just the bound: the hand lags, or gives way. So cloth that is pinned elsewhere is
-/// drawn taut, and no farther. A particle that was pinned is led in the same way. Contacts are stronger than the hand:
-/// they push its particle as they push a free one.
+/// A ball keeps its mass, and follows the hand's velocity within `hand_lag` (see `move_ball`). A particle has the
+/// hand's velocity, and is pinned for the integrator: every method and every step is stable with it. That velocity
+/// closes the gap to the target within a fixed time, and is at most that of a hand. Where the springs would then pull
+/// by more than the bound at the end of the step, with the neighbours moving on as they do, it is the velocity at which
+/// they pull by just the bound: the hand lags, or gives way. So cloth that is pinned elsewhere is drawn taut, and no
+/// farther. A particle that was pinned is led in the same way. Contacts are stronger than the hand: they push its
+/// particle as they push a free one.
 class Hand {
 public:
     /// @throws InputError if there is no such cloth or particle; the hand is as before then
     void grab(const command::Grab& command, std::span<Cloth> cloths);
 
+    /// @throws InputError if there is no such ball; the hand is as before then
+    void hold(const command::Hold& command, std::span<const Ball> balls, std::span<Cloth> cloths);
+
     /// @param target where the hand goes [m]
-    void drag(const Vec3& target) {
-        if (grab_) grab_->target = target;
-    }
+    void drag(const Vec3& target) { target_ = target; }
 
     /// Lets go; a particle that was pinned stays where it is.
     void release(std::span<Cloth> cloths);
 
-    [[nodiscard]] bool holds() const { return grab_.has_value(); }
+    [[nodiscard]] bool holds() const { return grab_ || ball_ >= 0; }
+
+    /// The ball that it holds; -1: none.
+    [[nodiscard]] int ball() const { return ball_; }
+
+    /// The velocity that takes a ball towards the target, of one that it holds [m/s].
+    [[nodiscard]] std::optional<Vec3> velocity_of(std::size_t ball, const Vec3& centre, Real h) const;
 
     /// What it goes on from.
     /// @param cloths as the settings make them
-    void exchange(SnapshotText& text, std::span<Cloth> cloths);
+    void exchange(SnapshotText& text, std::span<Cloth> cloths, std::size_t balls);
 
     /// Holds its particle in a model that was made again.
     void hold_in(std::size_t cloth, ClothModel& model);
@@ -55,12 +64,16 @@ private:
     struct Grab {
         std::size_t cloth;
         int particle;
-        Vec3 target;
         bool was_pinned;
         double power = 0;  ///< at the start of the step [W]
     };
 
+    /// @return the velocity that closes the gap to the target within a time [s], no faster than a hand
+    [[nodiscard]] Vec3 towards_target(const Vec3& here, Real lag) const;
+
     std::optional<Grab> grab_;
+    int ball_ = -1;
+    Vec3 target_ = Vec3::Zero();
 };
 
 }  // namespace drape

@@ -16,7 +16,7 @@ cell("part") == "notches" && cell("changed") != "none" {
     broken[cell("scene")] = broken[cell("scene")] (broken[cell("scene")] ? "; " : "") knob ": " why
 }
 END {
-    print "| Scene | Model | Method | Step [ms] | Error [% of the side] | Cost [ms/s] | Full model, computed closely [ms/s] | One notch less of |"
+    print "| Scene | Model | Method | Step [ms] | Error [% of the side] | Cost [ms/s] | Full model, solved accurately [ms/s] | One notch less of |"
     print "| --- | --- | --- | ---: | ---: | ---: | ---: | --- |"
     for (s = 1; s <= count; ++s) {
         scene = scenes[s]

@@ -5,7 +5,7 @@
 namespace exercise_01 {
 
 /// The force of a damped spring on its end a: along the spring, k times the elongation plus c times the speed at which
-/// the ends part, and against both.
+/// the ends part, and against both. None where d = 0, as the spring has no direction there.
 /// @param d x_a - x_b [m], w v_a - v_b [m/s]
 /// @return [N]
 inline drape::Vec3 spring_force(const drape::SpringLaw& law, drape::Real rest_length, const drape::Vec3& d,

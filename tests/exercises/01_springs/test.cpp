@@ -19,3 +19,8 @@ TEST(Springs, AreDampedAlongTheirDirectionOnly) {
     EXPECT_NEAR(exercise_01::spring_force(law, 2, {2, 0, 0}, {0, 3, 0}).norm(), 0, 1e-3)
         << "Hint: a velocity across the spring does not change its length.";
 }
+
+TEST(Springs, OfNoLengthGiveNoForce) {
+    EXPECT_EQ(exercise_01::spring_force({100, 5}, 2, Vec3::Zero(), {3, 0, 0}).norm(), 0)
+        << "Hint: where |d| = 0, d/|d| is 0/0; a spring without a direction gives no force.";
+}

@@ -8,6 +8,14 @@
 
 using drape::ClothParameters, drape::IntegratorKind, drape::Kernels;
 
+TEST(WaveStiffness, IsFourTimesThatOfASpringAlongRows) {
+    ClothParameters sheet;
+    sheet.structural = {100, 0}, sheet.shear = sheet.bend = {};
+    const auto s = exercise_03::wave_stiffness(make_cloth_model(sheet), std::numbers::pi, 0);
+    EXPECT_NEAR(s(0, 0), 400, 1e-3) << "Hint: at a = pi, neighbours in a row, (di, dj) = (1, 0), move apart.";
+    EXPECT_NEAR(s(1, 1), 0, 1e-3) << "Hint: at b = 0, neighbours in a column, (di, dj) = (0, 1), move alike.";
+}
+
 TEST(FastestWave, HasTheFrequencyThatDrapePredicts) {
     const auto check = [](double shear, double bend, const char* hint) {
         ClothParameters sheet;

@@ -27,5 +27,5 @@ TEST(BackwardEuler, IsWhatDrapeDoesToAStretchedSpring) {
     make_integrator({.kind = IntegratorKind::BackwardEuler}, model.grid)->step(model, state, Real(0.1));
     const Real elongation = state.x(1, 0) - state.x(0, 0) - 1;
     EXPECT_NEAR(exercise_04::backward_euler({Real(0.5), 0}, 2 * 50, 2 * 3, Real(0.1)).x, elongation, 1e-5)
-        << "Hint: two ends move, which makes k and d of the elongation twice those of the spring by mass.";
+        << "Hint: here you got 2 k / m and 2 d / m of a spring whose ends both move; is d in your system?";
 }

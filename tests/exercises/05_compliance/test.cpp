@@ -6,7 +6,8 @@ using drape::Real;
 
 TEST(Compliance, OfZeroClosesAConstraintAtOnce) {
     const Real q = exercise_05::change(Real(0.3), 0, 0, Real(0.01), 2, 1);
-    EXPECT_NEAR(0.3 + (2 + 1) * q, 0, 1e-9) << "Hint: both ends move, by w_a q and w_b q; q is against the elongation.";
+    EXPECT_NEAR(0.3 + (2 + 1) * q, 0, 1e-9) << "Hint: both ends move, by w_a q and w_b q; q is against the elongation. "
+                                               "Never divide by the compliance, which is 0 here.";
 }
 
 TEST(Compliance, LeavesTheElongationOfBackwardEuler) {

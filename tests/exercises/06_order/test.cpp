@@ -9,7 +9,10 @@ using drape::ClothParameters, drape::IntegratorKind, drape::Real;
 
 TEST(ErrorOrder, IsTheSlopeOnLogarithmicAxes) {
     EXPECT_NEAR(exercise_06::observed_order({4, 2, 1}, {48, 12, 3}), 2, 1e-9) << "Hint: a quarter at half h.";
-    EXPECT_NEAR(exercise_06::observed_order({4, 2, 1}, {16, 8, 1}), 2, 1e-9) << "Hint: all points count; fit a line.";
+    EXPECT_NEAR(exercise_06::observed_order({4, 2, 1}, {16, 8, 1}), 2, 1e-9)
+        << "Hint: the slope is 1 from 4 to 2, and 3 from 2 to 1.";
+    EXPECT_NEAR(exercise_06::observed_order({8, 4, 2, 1}, {8, 8, 1, 1}), 1.2, 1e-9)
+        << "Hint: all points count, not only the first and the last; fit a line.";
     EXPECT_NEAR(exercise_06::observed_order({9, 3, 3, 1}, {9, 3, 3, 1}), 1, 1e-9) << "Hint: subtract both means.";
 }
 

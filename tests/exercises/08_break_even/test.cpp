@@ -6,7 +6,8 @@
 
 TEST(FramesBetweenRebuilds, HaveTheLeastMeanCost) {
     using Costs = std::pair<double, double>;
-    for (const auto& [rebuild, growth] : {Costs(10, 20), Costs(10, 1), Costs(10, 0.1), Costs(65, 0.02)}) {
+    for (const auto& [rebuild, growth] :
+         {Costs(10, 20), Costs(21, 20), Costs(10, 1), Costs(10, 0.1), Costs(65, 0.02)}) {
         const auto mean = [r = rebuild, g = growth](int n) { return (r + g * n * (n - 1) / 2) / n; };
         const int n = exercise_08::frames_between_rebuilds(drape::Real(rebuild), drape::Real(growth));
         ASSERT_GE(n, 1) << "Hint: a period has at least the frame of the rebuild.";

@@ -6,7 +6,8 @@ namespace exercise_09 {
 
 /// A visit of projected Gauss-Seidel to one contact of a block with the ground: changes its total impulse so that the
 /// block no longer approaches the ground, nor slides on it if friction can stop it, and its velocity to match.
-/// The ground never pulls, and friction is at most mu times the normal impulse.
+/// The ground never pulls, and friction is at most mu times the normal impulse. In the formulas of the page, m and m_t
+/// are both 1 / inverse_mass here, and v* is 0.
 /// @param n from the ground to the block, of length 1
 /// @param inverse_mass of the block [1/kg], mu the friction coefficient
 /// @param total so far: `normal` along n, `friction` a vector across it; `total.about(n)` is both [N s]

@@ -29,6 +29,14 @@ TEST(BlockOnASlope, SticksBelowTheFrictionAngleAndSlidesAbove) {
         << "Hint: tan 0.6 > 0.5: shorten the total friction to mu times the total normal impulse.";
 }
 
+TEST(BlockOnASlope, IsStoppedByASingleVisit) {
+    Vec3 v(Real(0.25), -1, 0);
+    drape::RowImpulse total;
+    exercise_09::solve_row({0, 1, 0}, Real(0.5), Real(0.5), v, total);
+    EXPECT_NEAR(v.norm(), 0, 1e-6) << "Hint: friction is bounded by mu times the new normal impulse, not the old one.";
+    EXPECT_NEAR(total.friction.x(), -0.5, 1e-6) << "Hint: it is against the sliding; keep its total.";
+}
+
 TEST(BlockOnASlope, IsNeverPulledAndGivesBackWhatItHadTooMuch) {
     Vec3 v(0, 1, 0);
     drape::RowImpulse total;

@@ -22,20 +22,20 @@ namespace {
 namespace fs = std::filesystem;
 using test::Process;
 
-constexpr int most_at_once = 60;       // events in one run of xdotool
+constexpr int most_at_once = 400;      // events in one run of xdotool
 constexpr int events_a_window = 2000;  // then it is closed and its recording replayed
 constexpr double patience = 120;       // s, for an answer on a machine that is busy
 
 /// Keys that `drape` knows and some that it does not; none that quits.
-constexpr const char* keys[] = {"space",   "p",        "o",      "period", "shift+o", "r",           "shift+r",
-                                "1",       "2",        "3",      "4",      "5",       "6",           "7",
-                                "8",       "9",        "i",      "t",      "y",       "u",           "j",
-                                "b",       "c",        "l",      "n",      "Tab",     "m",           "k",
-                                "shift+k", "f",        "Left",   "a",      "Right",   "d",           "Up",
-                                "w",       "Down",     "s",      "Prior",  "e",       "Next",        "shift+q",
-                                "x",       "z",        "g",      "minus",  "equal",   "plus",        "v",
-                                "h",       "F1",       "F2",     "F5",     "F12",     "bracketleft", "bracketright",
-                                "comma",   "question", "ctrl+a", "alt+b",  "Return",  "BackSpace"};
+constexpr const char* keys[] = {
+    "space", "p",        "o",      "period", "shift+o", "r",         "shift+r",     "1",
+    "2",     "3",        "4",      "5",      "6",       "7",         "8",           "9",
+    "i",     "t",        "y",      "u",      "j",       "b",         "c",           "l",
+    "n",     "Tab",      "m",      "k",      "shift+k", "f",         "Left",        "a",
+    "Right", "d",        "Up",     "w",      "Down",    "s",         "Prior",       "e",
+    "Next",  "q",        "x",      "z",      "g",       "minus",     "equal",       "plus",
+    "v",     "h",        "F1",     "F2",     "F5",      "F12",       "bracketleft", "bracketright",
+    "comma", "question", "ctrl+a", "alt+b",  "Return",  "BackSpace", "shift+f",     "ctrl+r"};
 
 /// What may be typed into a field.
 constexpr const char* typed[] = {"0", "1", "2", "5", "9", "period", "minus", "e", "x", "BackSpace"};
@@ -274,7 +274,7 @@ int Fuzzer::session(int most) {
         if (drape_->running()) fail("the window does not respond");
         break;
     }
-    if (drape_->running()) desktop_.key("q");
+    if (drape_->running()) desktop_.key("ctrl+q");
     check_end();
     drape_.reset();
     return sent;
