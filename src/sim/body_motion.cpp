@@ -87,13 +87,13 @@ Real inverse_mass_of(const BallSettings& settings) {
     return settings.motion == BallMotion::Free ? 1 / settings.mass : Real(0);
 }
 
-void move_ball(const BallSettings& settings, const std::optional<Vec3>& led, const Vec3& steer, const Vec3& gravity,
+void move_ball(const BallSettings& settings, const std::optional<Vec3>& by_hand, const Vec3& steer, const Vec3& gravity,
                Real displacement_factor, Real time, Real h, Ball& ball) {
     Vec3 start = ball.centre;
-    const Real lag = led ? hand_lag : steering_lag;
-    switch (led && settings.motion == BallMotion::Free ? BallMotion::Keys : settings.motion) {
+    const Real lag = by_hand ? hand_lag : steering_lag;
+    switch (by_hand && settings.motion == BallMotion::Free ? BallMotion::Keys : settings.motion) {
         case BallMotion::Keys:
-            ball.velocity += std::min(h / lag, Real(1)) * (led.value_or(settings.speed * steer) - ball.velocity);
+            ball.velocity += std::min(h / lag, Real(1)) * (by_hand.value_or(settings.speed * steer) - ball.velocity);
             ball.centre += h * ball.velocity;
             start = ball.centre - h * ball.velocity;
             break;

@@ -18,11 +18,12 @@ Real inverse_mass_of(const BallSettings& settings);
 
 /// Moves a ball over one substep, from `time` to `time + h`, by its kind of motion; its velocity is that of the
 /// substep. A free ball falls as a particle does, so that what rests on the other has the same balance of pushes.
-/// @param led velocity that the hand asks for, of a ball that it holds [m/s]; one of the keys or a free one follows it
+/// @param by_hand velocity that the hand asks for, of a ball that it holds [m/s]; one of the keys or a free one follows
+/// it
 /// @param steer direction that the keys ask for, of length 0 or 1
 /// @param gravity of a free ball [m/s^2]
 /// @param displacement_factor of the integrator, see the function of this name
-void move_ball(const BallSettings& settings, const std::optional<Vec3>& led, const Vec3& steer, const Vec3& gravity,
+void move_ball(const BallSettings& settings, const std::optional<Vec3>& by_hand, const Vec3& steer, const Vec3& gravity,
                Real displacement_factor, Real time, Real h, Ball& ball);
 
 /// Rolling resistance: slows the spin of a ball by the torque coefficient * radius * load, and no further than to a

@@ -281,6 +281,7 @@ void Simulation::move_ball_by(BallMotion motion) {
 
 void Simulation::throw_ball(const command::Throw& command) {
     move_ball_by(BallMotion::Free);
+    if (hand_.ball() == static_cast<int>(users_ball_)) hand_.release(cloths_);  // which would draw it back
     put_ball(users_ball_, command.from);
     balls_[users_ball_].velocity = command.velocity;
     balls_[users_ball_].spin.setZero();

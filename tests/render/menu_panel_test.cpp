@@ -79,6 +79,13 @@ TEST_F(DrawnMenu, FindsWholeWordsOfATitleFirst) {
     EXPECT_EQ(chosen_for("kdop"), "set contact.volume=kdop6") << "where a word begins";
 }
 
+TEST_F(DrawnMenu, FindsASceneByItsCommandAndNotWhatReloads) {
+    search("scene hang");
+    panels_.type(enter);
+    ASSERT_TRUE(panels_.wishes.entry);
+    EXPECT_EQ(entries_[*panels_.wishes.entry].menu, "Scene");
+}
+
 TEST_F(DrawnMenu, SaysThatNothingIsFound) {
     search("fullscreen");
     EXPECT_THAT(draw(), HasSubstr("Nothing found"));

@@ -61,6 +61,16 @@ TEST(HeldBall, FliesOnAsItIsLetGoOrIsGivenBackToTheKeys) {
     EXPECT_GT(ball_of(keys).velocity.y(), 0.5);
 }
 
+TEST(HeldBall, IsThrownOutOfTheHand) {
+    Simulation simulation = ball_alone("free");
+    send(simulation, "hold 0");
+    send(simulation, "throw 0 -5 0 0 0 -6");
+    EXPECT_FALSE(simulation.view().held);
+    send(simulation, "drag 0 -5 0");
+    make_steps(simulation, 200);
+    EXPECT_NEAR(ball_of(simulation).velocity.z(), -6, 1e-9);
+}
+
 TEST(HeldBall, IsNoneThatIsOnAPathOrStill) {
     for (const char* motion : {"ball.motion=still", "ball.path=0,0,0,0,1,0,0,0.1"}) {
         Simulation simulation = small_simulation(), other = small_simulation();

@@ -10,21 +10,22 @@
 
 namespace drape {
 
-/// How fast the hand pulls [m/s], and the time in which it closes a small gap [s].
+/// How fast the hand pulls [m/s], and the time in which a particle closes a small gap, or a ball takes on most of the
+/// hand's velocity [s].
 inline constexpr Real hand_speed = 3, hand_lag = Real(0.03);
 
 /// @throws InputError that starts with the command's name, if there is no such cloth or particle
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
 
-/// Takes a ball, or one particle of a cloth, and leads it to a target, with a force that has a bound.
+/// Takes a ball, or one particle of a cloth, and moves it to a target.
 ///
-/// A ball keeps its mass, and follows the hand's velocity within `hand_lag` (see `move_ball`). A particle has the
-/// hand's velocity, and is pinned for the integrator: every method and every step is stable with it. That velocity
-/// closes the gap to the target within a fixed time, and is at most that of a hand. Where the springs would then pull
-/// by more than the bound at the end of the step, with the neighbours moving on as they do, it is the velocity at which
-/// they pull by just the bound: the hand lags, or gives way. So cloth that is pinned elsewhere is drawn taut, and no
-/// farther. A particle that was pinned is led in the same way. Contacts are stronger than the hand: they push its
-/// particle as they push a free one.
+/// Its velocity closes the gap to the target within a fixed time, and is at most that of a hand. A ball takes it on
+/// within `hand_lag` (see `move_ball`), and is in contact what it is without the hand: free, or a motor. A particle has
+/// it at once, and is pinned for the integrator: every method and every step is stable with it. On a particle the force
+/// has a bound. Where the springs would pull by more at the end of the step, with the neighbours moving on as they do,
+/// it has the velocity at which they pull by just the bound: the hand lags, or gives way. So cloth that is pinned
+/// elsewhere is drawn taut, and no farther. A particle that was pinned is moved in the same way. Contacts are stronger
+/// than the hand: they push its particle as they push a free one.
 class Hand {
 public:
     /// @throws InputError if there is no such cloth or particle; the hand is as before then
