@@ -38,7 +38,10 @@ public:
             return {};
         }
         const Pick pick = pick_particle(sight.view, sight.camera.ray(x, y, sight.width, sight.height));
-        const bool takes_ball = pick.ball >= 0 && follows_hand(sight.view.settings->balls, pick.ball);
+        // In a replay or in the past it would replace what followed, and balls are where people aim to turn the view
+        const Timeline& timeline = sight.view.timeline;
+        const bool takes_ball = pick.ball >= 0 && timeline.is_live() && !timeline.replay &&
+                                moves_by_hand(sight.view.settings->balls[static_cast<std::size_t>(pick.ball)]);
         if (pick.particle < 0 && !takes_ball) {
             doing_ = Doing::Orbiting;
             return {};
@@ -94,12 +97,6 @@ public:
     [[nodiscard]] static Command wheel(int notches) { return command::Zoom{std::pow(wheel_factor, notches)}; }
 
 private:
-    /// Not on a path, and not still.
-    static bool follows_hand(const std::vector<BallSettings>& balls, int ball) {
-        const BallMotion motion = balls[static_cast<std::size_t>(ball)].motion;
-        return motion == BallMotion::Keys || motion == BallMotion::Free;
-    }
-
     enum class Doing { Nothing, Orbiting, Panning, Pulling };
 
     static constexpr double full_drag = 4.0;     ///< a drag over the height of the picture [rad]

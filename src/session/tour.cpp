@@ -101,7 +101,7 @@ std::string picture_name(std::size_t number) {
 std::span<const TourStop> tour_stops() { return stops; }
 
 std::vector<Command> commands_of(const TourStop& stop) {
-    std::vector<Command> commands{command::LoadScene{std::string(stop.scene)}};
+    std::vector<Command> commands{command::Compare{"none"}, command::LoadScene{std::string(stop.scene)}};
     if (!stop.versus.empty()) commands.emplace_back(command::Compare{std::string(stop.versus)});
     for (const std::string& change : split_assignments(stop.changes)) commands.emplace_back(command::Set{change});
     return commands;

@@ -91,7 +91,8 @@ int substeps_of_balls(const Settings& settings, std::span<const Cloth> cloths, s
         for (std::size_t b = 0; b < balls.size(); ++b) {
             const Ball& ball = balls[b];
             const Real of_keys = settings.balls[b].motion == BallMotion::Keys ? settings.balls[b].speed : Real(0);
-            const Real of_hand = static_cast<int>(b) == held ? hand_speed : Real(0);
+            const bool by_hand = static_cast<int>(b) == held && moves_by_hand(settings.balls[b]);
+            const Real of_hand = by_hand ? hand_speed : Real(0);
             const Real own = std::max({ball.velocity.norm(), of_keys, of_hand});
             const Real radius = ball.radius + settings.contact.thickness;
             const auto way = [&](Real of_cloth) { return (own + of_cloth + of_gravity) * dt; };
@@ -224,8 +225,9 @@ std::string Simulation::limit_advice() const {
                (penalty_limit(settings_, cloths_[0].model) ? ", contact.stiffness included, help. " : " help. ");
     }
     if (!(substep > longest)) return {};
-    return "Time step is " + real_text(substep / longest, 3) + " x the limit of " + real_text(1e3 * longest, 3) +
-           " ms. ";
+    const std::string ratio = real_text(substep / longest, 3), limit = real_text(1e3 * longest, 3) + " ms. ";
+    if (report_.limit_is_lower_bound) return "Time step is up to " + ratio + " x the limit, which is at least " + limit;
+    return "Time step is " + ratio + " x the limit of " + limit;
 }
 
 std::pair<std::string, std::string> Simulation::limit_warnings() const {

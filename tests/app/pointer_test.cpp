@@ -82,6 +82,9 @@ TEST(Pointer, TakesTheClothBeforeABall) {
     Pointed at("original");
     const Pick pick = pick_particle(at.simulation.view(), at.camera.ray(at.x, at.y - 40, page_width, page_height));
     EXPECT_GE(pick.particle, 0);
+    FrameView without_cloth = at.simulation.view();
+    without_cloth.cloths = {};
+    EXPECT_GE(pick_particle(without_cloth, at.camera.ray(at.x, at.y - 40, page_width, page_height)).ball, 0);
     at.y -= 40;
     EXPECT_EQ(at.press(), "grab");
 }

@@ -62,9 +62,8 @@ struct Tally {
 
     void tell(const std::string& what, double simulated, double seconds) const {
         std::printf(
-            "%s: %.3f s, %lld commands, %lld steps, %lld with crossings, %lld pairs answered, %lld particles held "
-            "back, "
-            "%d ended, %.0f s of the clock\n",
+            "%s: %.3f s, %lld commands, %lld steps, %lld with crossings, %lld pairs answered, %lld particles "
+            "held back, %d ended, %.0f s of the clock\n",
             what.c_str(), simulated, static_cast<long long>(commands), static_cast<long long>(steps),
             static_cast<long long>(crossed), static_cast<long long>(pairs), static_cast<long long>(held_back), ended,
             seconds);

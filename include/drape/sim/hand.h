@@ -5,6 +5,7 @@
 #include <string>
 
 #include "drape/model/ball.h"
+#include "drape/scene/settings.h"
 #include "drape/sim/cloth.h"
 #include "drape/sim/command.h"
 
@@ -16,6 +17,11 @@ inline constexpr Real hand_speed = 3, hand_lag = Real(0.03);
 
 /// @throws InputError that starts with the command's name, if there is no such cloth or particle
 void check_particle(const std::string& command, int cloth, int particle, std::span<const Cloth> cloths);
+
+/// Whether the hand moves such a ball: not one on a path, or one that is still.
+inline bool moves_by_hand(const BallSettings& ball) {
+    return ball.motion == BallMotion::Keys || ball.motion == BallMotion::Free;
+}
 
 /// Takes a ball, or one particle of a cloth, and moves it to a target.
 ///
