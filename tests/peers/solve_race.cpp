@@ -202,7 +202,7 @@ struct SolveRace {
 
     /// Drape's stops in another norm: at the largest tolerance there that is small enough here.
     void add_ours(const std::string& name, bool with_multigrid) {
-        const auto ours = std::make_shared<OurSolve>(OurSolve{step, with_multigrid, 4 * tolerance});
+        const std::shared_ptr<OurSolve> ours(new OurSolve{step, with_multigrid, 4 * tolerance});  // it cannot be copied
         ours->prepare_matrix();
         for (ours->solve(); residual(by_particle(ours->dv)) > tolerance; ours->solve()) ours->limit *= Real(0.9);
         add(
