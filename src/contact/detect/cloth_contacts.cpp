@@ -182,15 +182,15 @@ void find_touched_triangles(const Grid& grid, const Points& x, const Ball& ball,
                             std::span<const CellRange> cells, std::vector<int>& triangles, Kernels kernels) {
     const Real radius = ball.radius + thickness;
     const auto is_inside = [&](const Vec3& p) { return (p - ball.centre).squaredNorm() <= radius * radius; };
+    const auto touches = [&](const std::array<int, 3>& corners) {
+        return is_inside(closest_point(x, corners, ball.centre).point);
+    };
     const auto test = [&](int cell) {
-        for (const int triangle : {2 * cell, 2 * cell + 1}) {
-            const std::array<int, 3> corners = grid.triangle_corners(triangle);
-            // Most are decided by a corner
-            if (std::ranges::any_of(corners, [&](int p) { return is_inside(position(x, p)); }) ||
-                is_inside(closest_point(x, corners, ball.centre).point)) {
-                triangles.push_back(triangle);
-            }
-        }
+        const auto first = grid.triangle_corners(2 * cell), second = grid.triangle_corners(2 * cell + 1);
+        // Most are decided by a corner, and by one that both have
+        const bool both = is_inside(position(x, second[0])) || is_inside(position(x, second[1]));
+        if (both || is_inside(position(x, first[0])) || touches(first)) triangles.push_back(2 * cell);
+        if (both || is_inside(position(x, second[2])) || touches(second)) triangles.push_back(2 * cell + 1);
     };
     triangles.clear();
     for_each_cell_to_test(ball.centre, radius, grid, x, cells, kernels, test);
