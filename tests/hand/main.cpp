@@ -123,15 +123,8 @@ std::string RandomHand::random_command() {
     // Not out of sight
     const std::string steer = "steer" + (home.norm() > Real(0.6) ? vector(0.1, home) : vector(1));
     const std::string drag = "drag" + vector(1.2, settings.cloths[0].centre());
-    const std::string commands[] = {"grab 0 " + std::to_string(below(particles)),
-                                    "hold 0",
-                                    drag,
-                                    drag,
-                                    drag,
-                                    "release",
-                                    steer,
-                                    steer,
-                                    "steer 0 0 0"};
+    const std::string grab = "grab 0 " + std::to_string(below(particles));
+    const std::string commands[] = {grab, "hold 0", drag, drag, drag, "release", steer, steer, "steer 0 0 0"};
     return commands[below(std::size(commands))];
 }
 

@@ -64,32 +64,20 @@ TEST(Sleep, DoesNotBefallWhatIsInWindOrHand) {
         EXPECT_EQ(steps_to_sleep(simulation), 10 * 1024) << mover;
         send(simulation, mover[0] == 'n' ? mover : "release");
         EXPECT_LT(steps_to_sleep(simulation), 10 * 1024) << mover;
+        send(simulation, mover);
+        simulation.step();
+        EXPECT_FALSE(simulation.report().asleep) << mover;
     }
 }
 
 TEST(Sleep, EndsWithEveryCommandThatMovesClothOrBall) {
     const Simulation sleeping = sleeping_simulation();
     ASSERT_TRUE(sleeping.report().asleep);
-    for (const char* command : {"grab 0 75",
-                                "hold 0",
-                                "pin 0 40",
-                                "steer 1 0 0",
-                                "set ball.position=0,0.2,0.3",
-                                "set ball.velocity=0,0,-1",
-                                "add ball.radius -0.01",
-                                "set cloth.structural.stiffness=100",
-                                "set cloth.mass=0.2",
-                                "set cloth.pinned=four",
-                                "next wind.on",
-                                "set dt=0.0005",
-                                "next integrator",
-                                "set friction=0",
-                                "set thickness=0.01",
-                                "set search_level=1",
-                                "set sleep_speed=1e-5",
-                                "set world.gravity=1.6",
-                                "reset",
-                                "scene drop"}) {
+    for (const char* command :
+         {"grab 0 75", "pin 0 40", "steer 1 0 0", "set ball.position=0,0.2,0.3", "set ball.velocity=0,0,-1",
+          "add ball.radius -0.01", "set cloth.structural.stiffness=100", "set cloth.mass=0.2", "set cloth.pinned=four",
+          "next wind.on", "set dt=0.0005", "next integrator", "set friction=0", "set thickness=0.01",
+          "set search_level=1", "set sleep_speed=1e-5", "set world.gravity=1.6", "reset", "scene drop"}) {
         Simulation simulation = sleeping;
         send(simulation, command);
         simulation.step();
