@@ -182,7 +182,7 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
 
 std::vector<KeyHelp> first_hints(bool has_ball) {
     std::vector<KeyHelp> hints{
-        {"Drag", has_ball ? "Pull the cloth or the ball; beside them, orbit the view"
+        {"Drag", has_ball ? "Pull the cloth or a ball that can move; beside them, orbit the view"
                           : "Pull the cloth; beside it, orbit the view"},
         {"Right button", "Menu: scenes, integrators, bounding volumes"},
     };
@@ -221,13 +221,14 @@ std::string key_text(const Entry& entry) {
 }
 
 std::vector<KeyHelp> help_lines(const std::vector<Entry>& entries, bool has_ball) {
-    std::vector<std::vector<KeyHelp>> groups{{{"", "Mouse"},
-                                              {"Left drag", has_ball ? "Orbit the view; on the cloth or a ball: pull it"
-                                                                     : "Orbit the view; on the cloth: pull it"},
-                                              {"Middle or Shift+left drag", "Pan the view"},
-                                              {"Ctrl+click", "Pin or free a particle"},
-                                              {"Wheel", "Zoom"},
-                                              {"Right button", "Menu"}}};
+    std::vector<std::vector<KeyHelp>> groups{
+        {{"", "Mouse"},
+         {"Left drag", has_ball ? "Orbit the view; on the cloth or a ball that can move: pull it"
+                                : "Orbit the view; on the cloth: pull it"},
+         {"Middle or Shift+left drag", "Pan the view"},
+         {"Ctrl+click", "Pin or free a particle"},
+         {"Wheel", "Zoom"},
+         {"Right button", "Menu"}}};
     for (const Entry& entry : entries) {
         if (entry.keys.empty() || (entry.menu == "Ball" && !has_ball)) continue;
         const std::string heading = heading_of(entry), text = entry.help.empty() ? entry.text : entry.help;
