@@ -81,17 +81,16 @@ Rows run_budget(const std::string& scene) {
 
 /// Those that say what they need, of one cloth. Help is for programs without their data too.
 std::vector<std::string> scenes_with_needs() {
-    std::vector<std::string> names{"hang"};
     try {
-        names = scene_names();
-    } catch (const RunError&) {
+        std::vector<std::string> names = scene_names();
+        std::erase_if(names, [](const std::string& name) {
+            const Settings scene = load_scene(name);
+            return scene.cloths.size() != 1 || !states_needs(scene.needs);
+        });
         return names;
+    } catch (const RunError&) {
+        return {"hang"};
     }
-    std::erase_if(names, [](const std::string& name) {
-        const Settings scene = load_scene(name);
-        return scene.cloths.size() != 1 || !states_needs(scene.needs);
-    });
-    return names;
 }
 
 }  // namespace
