@@ -5,6 +5,7 @@
 
 #include "drape/render/camera.h"
 #include "drape/sim/command.h"
+#include "drape/sim/hand.h"
 
 namespace drape {
 

@@ -38,7 +38,7 @@ TEST_F(WindowTest, TheMouseLeadsTheBallAndTheRecordingHasIt) {
     ASSERT_TRUE(recorded("drag "));
     EXPECT_TRUE(recorded_now("hold 0"));
     const long long dragged = last_step();
-    ASSERT_TRUE(eventually([&] { return last_step() > dragged + 1000; })) << "it follows";
+    ASSERT_TRUE(test::eventually([&] { return last_step() > dragged + 1000; })) << "it follows";
     desktop_.act({"mouseup", "1"});
     ASSERT_TRUE(recorded("release"));
     EXPECT_FALSE(recorded_now("orbit "));
