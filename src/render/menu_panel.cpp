@@ -84,8 +84,9 @@ void MenuPanel::search() {
     for (std::size_t k = 0; k < items_.size(); ++k) {
         std::istringstream words(query_);
         bool fits = true;
-        for (std::string word; fits && words >> word;)
+        for (std::string word; fits && words >> word;) {
             fits = items_[k].searched.find(key_name(word)) != std::string::npos;
+        }
         if (fits) found_.push_back(k);
     }
     if (!query_.empty()) std::ranges::stable_sort(found_, {}, place);

@@ -24,7 +24,7 @@ struct TourStop {
 /// The stops in their order.
 std::span<const TourStop> tour_stops();
 
-/// What brings a session to a stop: its scene and its comparison, then its changes.
+/// What brings a session to a stop: its scene and its comparison, and no other one; then its changes.
 std::vector<Command> commands_of(const TourStop& stop);
 
 /// The tour as a page in Markdown, with the pictures that `drape-capture --tour` makes, in a folder `tour` beside it.
