@@ -167,7 +167,7 @@ void Window::show_drawn() {
 }
 
 void Window::draw(FrameView view) {
-    if (view.settings->view.panel == PanelSize::Full) view.search = search_timer_.look(view);
+    if (view.settings->view.panel != PanelSize::Off) view.search = search_timer_.look(view);
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
     for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
     if (view.mode != nullptr) texts.push_back(text_of(*view.mode, !(view.report->step_limit_ratio > 1)));

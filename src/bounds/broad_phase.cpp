@@ -18,7 +18,7 @@ public:
                          std::vector<LeafPair>& pairs) override {
         const Grid& other_grid = static_cast<const BruteForce&>(other).grid_;
         pairs.assign(1, {all_cells(grid_), all_cells(other_grid)});
-        return {.candidates = static_cast<std::int64_t>(grid_.cells()) * other_grid.cells()};
+        return {.candidates = pairs_of_cells(grid_.cells(), other_grid.cells(), &other == this)};
     }
     TraversalStats query_near(const DistanceFunction& /*distance*/, Real /*margin*/, Candidates& found) override {
         return all(found);

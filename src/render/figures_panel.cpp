@@ -135,21 +135,22 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     const double all = tests_of_brute_force(view);
     const TraversalStats& traversal = view.report->traversal;
     const auto made = static_cast<double>(traversal.candidates + traversal.volume_tests);
-    if (all == 0 || made == 0) return;
-    const double saved = 1 - made / all;
+    if (view.search == nullptr && (all == 0 || made == 0)) return;
+    const double saved = view.search != nullptr ? view.search->tests_saved() : 1 - made / all;
     if (saved < 0.05) {
         const std::string reason = slow_reason(view);
         rows.push_back({"tests saved", reason == "slow update" ? "none" : "none: " + reason, 3, ink::wait});
         return;
     }
-    const std::string text = format("%.0f %%", 100 * saved);
+    const std::string text = format("%.3g %%", 100 * saved);
+    const bool shows_how = view.settings->view.bounds;
     if (view.search == nullptr) {
-        const std::string more = view.settings->view.bounds ? " of " + grouped(all) : "; B shows how";
-        rows.push_back({"tests saved", text + more, 3});
+        rows.push_back({"tests saved", text + (shows_how ? " of " + grouped(all) : "; B shows how"), 3});
+    } else if (view.search->saves_time()) {
+        const std::string times = format(", %.2gx as fast", view.search->speed_up());
+        rows.push_back({"tests saved", text + times + (shows_how ? "" : " (B)"), 3, ink::good});
     } else {
-        const bool in_time = view.search->saves_time();
-        rows.push_back(
-            {"tests saved", text + (in_time ? ", and time" : ", but no time"), 3, in_time ? ink::good : ink::wait});
+        rows.push_back({"tests saved", text + ", but no time", 3, ink::wait});
     }
 }
 
@@ -157,10 +158,11 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
 // the scene `large`
 void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr) return;
-    const std::string kernels = view.settings->solver.kernels == Kernels::Vector ? ", by vectors" : "";
-    rows.push_back({"search, in all", time_text(1e6 * view.search->hierarchy), 2});
-    rows.push_back({"by brute force", time_text(1e6 * view.search->brute_force) + kernels, 2});
-    if (view.search->saves_time()) return;
+    const SearchTimes& search = *view.search;
+    const auto text = [](double time, double tests) { return time_text(1e6 * time) + ", " + grouped(tests) + " tests"; };
+    rows.push_back({"search, in all", text(search.hierarchy, search.tests), 2});
+    rows.push_back({"by brute force", text(search.brute_force, search.tests_of_brute_force), 2});
+    if (search.saves_time()) return;
     const bool large_ball = slow_reason(view) == "large ball";
     rows.push_back({"to save time", large_ball ? "9: a larger sheet" : "U: update, T: volume", 2, ink::wait});
 }

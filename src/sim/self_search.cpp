@@ -78,14 +78,12 @@ void SelfSearch::use(const Settings& settings, std::span<const ClothInContact> c
 }
 
 void SelfSearch::use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths) {
-    if (!on_) return;
-    BroadPhaseParameters parameters = broad_phase_of(settings);
-    parameters.search = {};
-    if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
-    use(parameters, cloths);
+    if (on_) use(broad_phase_of(settings), cloths);
 }
 
-void SelfSearch::use(const BroadPhaseParameters& parameters, std::span<const ClothInContact> cloths) {
+void SelfSearch::use(BroadPhaseParameters parameters, std::span<const ClothInContact> cloths) {
+    parameters.search = {};
+    if (parameters.leaf_cells == 0) parameters.leaf_cells = pair_leaf_cells;
     surfaces_.clear();
     first_.assign(1, 0);
     for (const ClothInContact& cloth : cloths) {

@@ -27,6 +27,17 @@ TEST(SearchTimer, MeasuresBothWaysAndChangesNothing) {
     EXPECT_EQ(small.hash(), undisturbed.hash());
 }
 
+TEST(SearchTimer, CountsClothOnClothWhereThatIsSearchedFor) {
+    Simulation simulation = touching_simulation({"contact.self=true"});
+    const auto with_pairs = SearchTimer::measure(simulation.view(1)).value();
+    const double cells = simulation.cloths()[0].model.grid.cells();
+    EXPECT_EQ(with_pairs.tests_of_brute_force, cells + cells * (cells + 1) / 2) << "of one ball, and of all pairs";
+    EXPECT_GT(with_pairs.tests_saved(), 0);
+    simulation.apply(parse_command("set contact.self=false"));
+    const auto without = SearchTimer::measure(simulation.view(1)).value();
+    EXPECT_EQ(without.tests_of_brute_force, cells);
+}
+
 TEST(SearchTimer, SaysNothingWhereThereIsNothingToCompare) {
     SearchTimer timer;
     for (const char* assignment :

@@ -46,6 +46,11 @@ struct BroadPhaseParameters {
     bool operator==(const BroadPhaseParameters&) const = default;
 };
 
+/// Of two sets of cells; of a set with itself, each pair once.
+[[nodiscard]] inline std::int64_t pairs_of_cells(std::int64_t cells, std::int64_t others, bool itself) {
+    return itself ? cells * (cells + 1) / 2 : cells * others;
+}
+
 /// What one query did.
 struct TraversalStats {
     std::int64_t nodes = 0;         ///< of the whole hierarchy
@@ -53,7 +58,7 @@ struct TraversalStats {
     std::int64_t volume_tests = 0;  ///< volume against ball or plane
     std::int64_t pruned = 0;        ///< visited and found apart, with all that is below them
     std::int64_t leaves = 0;        ///< visited and overlapping
-    std::int64_t candidates = 0;    ///< cells handed on
+    std::int64_t candidates = 0;    ///< cells handed on, or pairs of them
     std::int64_t stopped = 0;       ///< nodes handed on as spheres, because a limited search ended there
 
     TraversalStats& operator+=(const TraversalStats& other);

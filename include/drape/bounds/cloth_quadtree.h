@@ -209,7 +209,7 @@ private:
             mark(n, NodeVisit::Leaf);
             search.pairs.push_back({node, other});
             ++search.stats.leaves;
-            search.stats.candidates += static_cast<std::int64_t>(node.cells()) * other.cells();
+            search.stats.candidates += pairs_of_cells(node.cells(), other.cells(), itself);
             return;
         }
         mark(n, NodeVisit::Entered);

@@ -47,11 +47,15 @@ struct Timeline {
 struct ComparisonView;
 struct UnstableMode;
 
-/// What a search of all cloths for all balls costs with the hierarchy and without it.
+/// What a search costs with the hierarchy and without it: of all cloths for all balls, and for cloth that is near cloth
+/// where that is searched for.
 struct SearchTimes {
     double hierarchy = 0;    ///< build, traversal and test of the candidates [s]
-    double brute_force = 0;  ///< test of every cell [s]
-    [[nodiscard]] bool saves_time() const { return hierarchy < brute_force; }
+    double brute_force = 0;  ///< test of every cell, and of every pair of cells [s]
+    double tests = 0, tests_of_brute_force = 0;
+    [[nodiscard]] double tests_saved() const { return 1 - tests / tests_of_brute_force; }
+    [[nodiscard]] double speed_up() const { return brute_force / hierarchy; }
+    [[nodiscard]] bool saves_time() const { return speed_up() > 1; }
 };
 
 /// What the renderer needs of a moment; all of it belongs to the simulation and its session, and lasts until their next

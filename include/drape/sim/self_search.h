@@ -38,7 +38,7 @@ public:
 
     /// Goes on with other hierarchies, which find the same.
     void use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths);
-    void use(const BroadPhaseParameters& parameters, std::span<const ClothInContact> cloths);
+    void use(BroadPhaseParameters parameters, std::span<const ClothInContact> cloths);
 
     /// What it finds does not depend on them.
     /// @param threads that share the work, at least 1

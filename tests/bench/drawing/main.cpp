@@ -68,7 +68,7 @@ public:
         view.settings = &settings_;
         if (turns_) camera_.apply(command::Orbit{0.01, 0}, view);
         const double before = processor_time();
-        if (settings_.view.panel == PanelSize::Full) view.search = search_timer_.look(view);
+        if (settings_.view.panel != PanelSize::Off) view.search = search_timer_.look(view);
         renderer_.draw(view, camera_, {});
         renderer_.present();
         finish();
