@@ -95,7 +95,9 @@ Tally run(const Options& options, const std::string& scene, int side, const std:
 class Player : test::RandomUser {
 public:
     Player(const Options& options, const std::string& scene)
-        : RandomUser(options.seed, {scene, scene_of(scene, options.assignments)}), options_(options) {}
+        : RandomUser(options.seed, {scene, scene_of(scene, options.assignments)}),
+          options_(options),
+          as_shipped_(simulation) {}
 
     Tally play() {
         Tally tally;
@@ -103,7 +105,8 @@ public:
         const Stopwatch clock;
         double played = 0;
         while (played < options_.play) {
-            send(next_command());
+            const std::string command = next_command();
+            command == "reset" ? begin_again() : send(command);
             ++tally.commands;
             const double start = simulation.report().time, end = start + between(0, below(8) == 0 ? 0.8 : 0.05);
             double now = start;
@@ -122,7 +125,7 @@ public:
                 }
             }
             played += now - start;
-            if (!good) send("reset");
+            if (!good) begin_again();
         }
         tally.tell(simulation.scene() + ", played with", played, clock.seconds());
         return tally;
@@ -141,6 +144,21 @@ private:
         return settings;
     }
 
+    /// With the scene's own pins and settings.
+    void begin_again() {
+        simulation = as_shipped_;
+        send("reset");
+    }
+
+    /// From outside the cloth, to somewhere near its middle.
+    std::string throw_ball() {
+        Vec3 from(1, 0, 0);
+        for (Real& place : from) place = static_cast<Real>(between(-1, 1));
+        from *= Real(2.5) / std::max(from.norm(), Real(0.1));
+        from.y() = std::abs(from.y());
+        return "throw" + vector(0, from) + vector(1, -2 * from);
+    }
+
     std::string particle() {
         const std::size_t cloth = below(simulation.cloths().size());
         const auto count = static_cast<std::size_t>(simulation.cloths()[cloth].model.grid.particles());
@@ -157,10 +175,7 @@ private:
     std::string next_command() {
         const std::size_t chosen = below(24);
         if (chosen == 0) return "reset";
-        if (chosen == 1) {
-            const std::string place = vector(1);
-            return "throw" + place + vector(5);
-        }
+        if (chosen == 1) return throw_ball();
         if (chosen == 2) return "fall";
         if (chosen < 5) return chosen == 3 ? "set wind.on=true" : "set wind.on=false";
         if (chosen == 5) return "pin" + particle();
@@ -171,6 +186,7 @@ private:
     }
 
     const Options& options_;
+    Simulation as_shipped_;
     Vec3 hand_ = Vec3::Zero();  ///< where it was sent last [m]
 };
 
