@@ -159,9 +159,9 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
 void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr) return;
     const SearchTimes& search = *view.search;
-    const auto text = [](double time, double tests) { return time_text(1e6 * time) + ", " + grouped(tests) + " tests"; };
-    rows.push_back({"search, in all", text(search.hierarchy, search.tests), 2});
-    rows.push_back({"by brute force", text(search.brute_force, search.tests_of_brute_force), 2});
+    rows.push_back({"tests, in all", grouped(search.tests) + " of " + grouped(search.tests_of_brute_force), 1});
+    rows.push_back({"search, in all", time_text(1e6 * search.hierarchy), 2});
+    rows.push_back({"by brute force", time_text(1e6 * search.brute_force), 2});
     if (search.saves_time()) return;
     const bool large_ball = slow_reason(view) == "large ball";
     rows.push_back({"to save time", large_ball ? "9: a larger sheet" : "U: update, T: volume", 2, ink::wait});
