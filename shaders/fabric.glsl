@@ -44,7 +44,7 @@ vec3 fabric(vec3 albedo, vec3 world, vec3 normal, Threads threads, float hollow,
     float upright = dot(normal, middle), sine = sqrt(max(1.0 - upright * upright, 1e-4));
     float fibres = (1.0 + 0.5 / rough) * pow(sine, 1.0 / rough) * to_key * visible / (4.0 * (to_key + seen - to_key * seen));
     float grazing = (1.0 - seen) * (1.0 - seen) * (1.0 - seen);
-    lit += mix(albedo, vec3(1.0), 0.25) * of_fabric(0.30, 0.10, 0.22) * (key_colour * fibres + 2.0 * grazing * around);
+    lit += mix(albedo, vec3(1.0), 0.12) * of_fabric(0.30, 0.10, 0.22) * (key_colour * fibres + 2.0 * grazing * around);
 
     // The gloss of smooth threads, which is wide across them  @cite ward1992
     // A loop, because Mesa's llvmpipe would work both ways of an `if` for all pixels
