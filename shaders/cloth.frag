@@ -22,7 +22,10 @@ void main() {
         side = -1.0;
         albedo = back_colour;
     }
+
+    // The hem is lines, which have no back: it is round, and lit as what faces the eye
     Threads threads = threads_at(world, normal, place);
+    if (threads.along == vec3(0.0) && dot(normal, eye.xyz - world) < 0.0) side = -1.0;
     normal *= side;
     for (int i = 0; i < look.y; ++i) {
         Woven woven = weave(place, extent);

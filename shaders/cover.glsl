@@ -2,9 +2,9 @@
 // costs little; what lies between them is interpolated.
 uniform sampler2D shadow_depths;
 
-// @param reach how far about the point [m]
+// @param reach how far about the point [unit()]
 // @return the part in [0, 1] of its surroundings that is in shadow; that times how far before it the shadow's cause is
-// [m]; how much of the light from around is kept off, in [0, 1]
+// [unit()]; how much of the light from around is kept off, in [0, 1]
 vec3 cover_of(vec3 point, vec3 normal, float reach) {
     // The light's axes, which are the rows of the matrix, and how many metres the map is wide, high and deep
     mat3 rows = transpose(mat3(shadow_matrix));
@@ -18,12 +18,12 @@ vec3 cover_of(vec3 point, vec3 normal, float reach) {
     // Points of a disc, evenly: each is turned by the golden angle
     const int points = 18;
     const mat2 turn = mat2(-0.73737, 0.67549, -0.67549, -0.73737);
-    vec2 way = vec2(reach, 0.0);
+    vec2 way = vec2(reach * unit(), 0.0);
     vec3 sum = vec3(0.0);
     for (int i = 0; i < points; ++i) {
         vec2 away = way * sqrt((float(i) + 0.5) / float(points));
         float depth = textureLod(shadow_depths, at.xy + away / metres.xy, 0.0).r;
-        float gap = depth < 1.0 ? (at.z - depth) * metres.z + dot(slope, away) : 0.0;
+        float gap = depth < 1.0 ? ((at.z - depth) * metres.z + dot(slope, away)) / unit() : 0.0;
         float before = smoothstep(0.004, 0.03, gap);
         sum += vec3(gap > 0.008 ? 1.0 : 0.0, max(gap - 0.008, 0.0), before / (1.0 + 9.0 * gap * gap));
         way = turn * way;

@@ -1,6 +1,6 @@
 // Cloth in the light of the studio.
 
-// The ways of its threads, in the world.
+// The ways of its threads, in the world; zero on a line, as the hem is, where they cannot be told.
 struct Threads {
     vec3 along, across;
 };
@@ -9,8 +9,10 @@ Threads threads_at(vec3 world, vec3 normal, vec2 place) {
     vec3 right = dFdx(world), up = dFdy(world);
     vec2 place_right = dFdx(place), place_up = dFdy(place);
     vec3 along = right * place_up.y - up * place_right.y;
-    along *= sign(place_right.x * place_up.y - place_right.y * place_up.x);
-    along = normalize(along - normal * dot(normal, along) + 1e-9);
+    float turn = place_right.x * place_up.y - place_right.y * place_up.x;
+    along *= abs(turn) > 0.02 * length(place_right) * length(place_up) ? sign(turn) : 0.0;
+    along -= normal * dot(normal, along);
+    along *= inversesqrt(max(dot(along, along), 1e-24));
     return Threads(along, cross(along, normal));
 }
 
@@ -42,14 +44,15 @@ vec3 fabric(vec3 albedo, vec3 world, vec3 normal, Threads threads, float hollow,
     float upright = dot(normal, middle), sine = sqrt(max(1.0 - upright * upright, 1e-4));
     float fibres = (1.0 + 0.5 / rough) * pow(sine, 1.0 / rough) * to_key * visible / (4.0 * (to_key + seen - to_key * seen));
     float grazing = (1.0 - seen) * (1.0 - seen) * (1.0 - seen);
-    lit += mix(albedo, vec3(1.0), 0.25) * of_fabric(0.30, 0.10, 0.22) * (key_colour * fibres + 2.0 * grazing * around);
+    lit += mix(albedo, vec3(1.0), 0.12) * of_fabric(0.30, 0.10, 0.22) * (key_colour * fibres + 2.0 * grazing * around);
 
     // The gloss of smooth threads, which is wide across them  @cite ward1992
     // A loop, because Mesa's llvmpipe would work both ways of an `if` for all pixels
     for (int i = 0; i < (style.x == 1 ? 1 : 0); ++i) {
         const vec2 wide = vec2(0.20, 0.45);
         vec2 tilt = vec2(dot(middle, threads.along), dot(middle, threads.across)) / (wide * max(upright, 0.05));
-        float gloss = exp(-dot(tilt, tilt)) * to_key * visible / (4.0 * wide.x * wide.y);
+        float spread = dot(threads.along, threads.along) / (4.0 * wide.x * wide.y);
+        float gloss = exp(-dot(tilt, tilt)) * to_key * visible * spread;
         lit += mix(albedo, vec3(1.0), 0.35) * 0.34 *
                (key_colour * gloss + wall(reflect(-to_eye, normal)) * ambient * (0.25 + 2.0 * grazing));
     }

@@ -20,3 +20,6 @@ layout(std140) uniform Frame {
     vec4 mode_spring[2];  // ends of the unstable mode's spring [m]; w: 0 if not shown
     ivec4 style;         // fabric: 0 cotton, 1 silk, 2 denim, 3 plain; palette: 0 studio, 1 dusk, 2 linen
 };
+
+// By how much what is seen is larger than a cloth of a metre or two; patterns and soft edges grow with it
+float unit() { return max(0.25 * stage.w, 1.0); }

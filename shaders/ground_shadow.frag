@@ -11,7 +11,7 @@ out vec4 colour;
 // eye sees it. Of red least is left: blending takes as much of all colours, and adds some of the others.
 void main() {
     float away = length(world.xz - stage.xz) / stage.w;
-    float visible = key_visibility(world, vec3(0.0, 1.0, 0.0), cover, cover.x < 0.998 ? 12 : 0);
+    float visible = key_visibility(world, vec3(0.0, 1.0, 0.0), cover, cover.x < 0.998 ? 16 : 0);
     vec3 key = key_colour * to_light.y, sky = sky_light();
     vec3 left = sqrt((key * visible + sky * (1.0 - 0.7 * cover.z)) * (key + sky * open)) / (key + sky);
     float taken = max(1.0 - left.r, 1e-4);

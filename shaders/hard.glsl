@@ -2,9 +2,9 @@
 vec4 hard(vec3 albedo, float gloss, vec3 world, vec3 normal, vec3 cover) {
     vec3 to_eye = normalize(eye.xyz - world);
     float facing = dot(normal, to_light.xyz);
-    float wrapped = max((facing + 0.10) / 1.10, 0.0);
+    float wrapped = max((facing + 0.25) / 1.25, 0.0);
     float visible = key_visibility(world, normal, cover, 8);
-    float key = wrapped * mix(1.0, visible, smoothstep(0.08, 0.40, facing));
+    float key = wrapped * mix(1.0, visible, smoothstep(0.10, 0.55, facing));
 
     // The ground darkens what faces it
     float near_ground = clamp((world.y - stage.y) / 0.8, 0.0, 1.0);

@@ -30,15 +30,20 @@ float key_visibility(vec3 point, vec3 normal, vec3 cover, int most) {
     float slope = 1.0 - abs(dot(normal, to_light.xyz));
     vec3 at = (shadow_matrix * vec4(point + normal * shadow.x * (1.2 + 2.0 * slope), 1.0)).xyz * 0.5 + 0.5;
 
+    // How the surface's depth in the map goes on aside, so that it casts no shadow on itself
+    vec3 facing = mat3(shadow_matrix) * normal;
+    vec3 deep = vec3(shadow_matrix[0][2], shadow_matrix[1][2], shadow_matrix[2][2]);
+    vec2 aside = -0.25 * dot(deep, deep) * facing.xy / (shadow.zw * min(facing.z, -0.25 * length(deep)));
+
     // A light that is as wide as a seventh of its distance; points of a disc, turned by the golden angle
-    float wide = clamp(0.07 * cover.y / max(cover.x, 0.01), 1.6 * shadow.x, 0.08);
-    float depth = min(at.z - 0.0015 - 0.0003 * slope * wide / shadow.x, 1.0);
+    float wide = clamp(0.07 * unit() * cover.y / max(cover.x, 0.01), 1.6 * shadow.x, 0.08 * unit());
+    float depth = at.z - 0.0015;
     float start = 2.0 * pixel_noise() - 1.0;
     vec2 way = vec2(start, sqrt(1.0 - start * start));
     const mat2 turn = mat2(-0.73737, 0.67549, -0.67549, -0.73737);
     for (int i = 0; i < samples; ++i) {
         vec2 away = wide * sqrt((float(i) + 0.5) / float(most)) * way;
-        sum += texture(shadow_map, vec3(at.xy + away * shadow.zw, depth));
+        sum += texture(shadow_map, vec3(at.xy + away * shadow.zw, min(depth + dot(aside, away), 1.0)));
         way = turn * way;
     }
     return sum / float(max(samples, 1));

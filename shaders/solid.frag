@@ -13,10 +13,12 @@ out vec4 colour;
 
 // Boards of oak along the x axis: rings that are cut at a slant, and fine grain
 vec3 wood() {
-    float rings = 26.0 * (own.z + 0.35 * own.y) + 1.4 * noise(vec2(own.x * 2.2, own.z * 9.0 + own.y * 5.0));
-    float grain = noise(vec2(own.x * 14.0, (own.z + own.y) * 420.0));
-    float late = smoothstep(0.25, 0.95, fract(rings));
-    return mix(vec3(0.50, 0.315, 0.165), vec3(0.33, 0.185, 0.085), late) * (1.0 + 0.10 * grain);
+    float rings = 45.0 * (own.z + 0.35 * own.y) + 3.0 * noise(vec2(own.x * 1.8, own.z * 9.0 + own.y * 5.0));
+    float fine = (own.z + own.y) * 420.0, pixel = fwidth(rings), ring = fract(rings);
+    float grain = noise(vec2(own.x * 14.0, fine)) * max(1.0 - fwidth(fine), 0.0);
+    float late = smoothstep(0.25, 0.85, ring) * smoothstep(0.0, max(0.15, 1.5 * pixel), 1.0 - ring);
+    late = mix(late, 0.4, clamp(1.5 * pixel - 0.25, 0.0, 1.0));
+    return mix(vec3(0.50, 0.315, 0.165), vec3(0.36, 0.205, 0.098), late) * (1.0 + 0.10 * grain);
 }
 
 void main() {

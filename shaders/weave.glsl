@@ -21,6 +21,8 @@ struct Woven {
 // `place` is in the cloth, `extent` its size [m].
 Woven weave(vec2 place, vec2 extent) {
     const float check = 0.05, hem = 0.014;
+    place /= unit();
+    extent /= unit();
 
     // A whole number of checks along each side, and as much of one at both ends
     vec2 counted = max(floor(extent / check + 0.25) + 0.5, 1.5);
@@ -32,7 +34,7 @@ Woven weave(vec2 place, vec2 extent) {
     woven.shade += of_fabric(0.14, 0.03, 0.34) * up;
     woven.white = of_fabric(0.0, 0.0, 0.30) * (0.5 - up);
     float pixel = abs(dFdx(thread)) + abs(dFdy(thread));
-    woven.tilt = vec2(of_fabric(0.20, 0.06, 0.35) * sin(6.2831853 * thread) * max(1.0 - 1.6 * pixel, 0.0));
+    woven.tilt = vec2(of_fabric(0.20, 0.06, 0.35) * sin(6.2831853 * thread) * max(1.0 - 3.0 * pixel, 0.0));
 
     // The hem is two layers, sewn down along a line; its edge is round
     vec2 from_edge = min(place, extent - place);

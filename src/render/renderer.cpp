@@ -177,9 +177,10 @@ void Renderer::Parts::paint(const FrameView& view) {
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room(data));
     target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
-    gl(glLineWidth, std::max(data.magnified.x(), 1.0f));
+    const float line_width = std::max(data.magnified.x(), 1.0f);
+    gl(glLineWidth, line_width);
     gl(glDisable, GL_BLEND);
-    solids.draw(shown, stream);
+    solids.draw(shown, line_width, stream);
     studio.draw_behind();
     gl(glEnable, GL_BLEND);
     marks.draw(failed);

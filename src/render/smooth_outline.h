@@ -63,6 +63,24 @@ public:
         return indices;
     }
 
+    /// Writes the cloth's border as lines through the middles of the last `fill`: two for an edge, two indices each.
+    /// @param end before which they are written
+    /// @return where they start
+    std::uint32_t* fill_hem(const Grid& grid, const Vertices& vertices, std::uint32_t* end) const {
+        const auto add = [&](int p, int stride, int number) {
+            const int edge = middles_each * p + number;
+            const auto a = vertices.first_particle + static_cast<std::uint32_t>(p);
+            const auto b = a + static_cast<std::uint32_t>(stride);
+            const bool divided = divided_[static_cast<std::size_t>(edge)] != 0;
+            const auto middle = divided ? vertices.first_middle + static_cast<std::uint32_t>(edge) : b;
+            for (const std::uint32_t vertex : {a, middle, middle, b}) *--end = vertex;
+        };
+        const int last_row = grid.particle(0, grid.ny - 1), last_column = grid.nx - 1;
+        for (int p = 0; p < last_column; ++p) add(p, 1, 0), add(last_row + p, 1, 0);
+        for (int p = 0; p < last_row; p += grid.nx) add(p, grid.nx, 1), add(p + last_column, grid.nx, 1);
+        return end;
+    }
+
     /// The farthest that a middle of the last fill is off its straight edge [pixel].
     [[nodiscard]] float farthest() const { return farthest_; }
 

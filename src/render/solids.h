@@ -138,13 +138,17 @@ public:
     }
 
     /// @param shown how the cloth is drawn: its triangles as lines, its colours
-    void draw(const ViewSettings& shown, const StreamBuffer& stream) {
+    /// @param line_width of other lines, which is left as it is [pixel]
+    void draw(const ViewSettings& shown, float line_width, const StreamBuffer& stream) {
         const bool wireframe = shown.wireframe;
         shown.colour == ColourBy::Plain ? cloth_program_.use() : value_program_.use();
         if (wireframe) gl_(glPolygonMode, GL_FRONT_AND_BACK, GL_LINE);
         if (smooth_) {
             outlined_.bind();
             gl_.draw_elements(GL_TRIANGLES, outlined_index_count_, stream.start(Region::ClothIndices));
+            gl_(glLineWidth, hem_width_);
+            gl_.draw_elements(GL_LINES, hem_index_count_, stream.start(Region::ClothIndices) + hem_start_);
+            gl_(glLineWidth, line_width);
         } else {
             draw_cloths();
         }
@@ -207,22 +211,31 @@ private:
     }
 
     void fill_outlines(const FrameView& view, const Viewpoint& from, StreamBuffer& stream) {
-        auto* const indices = stream.room<std::uint32_t>(Region::ClothIndices, smooth_ ? 24 * particle_count_ : 0);
+        const std::size_t room = smooth_ ? 24 * particle_count_ : 0;
+        auto* const indices = stream.room<std::uint32_t>(Region::ClothIndices, room);
         auto* const vertices = stream.data<ClothVertex>(Region::Cloth);
         outline_room_ = 0;
         if (!smooth_) return;
+        const auto thickness = static_cast<float>(view.settings->contact.thickness);
+        hem_width_ = 1;
         std::size_t first = 0;
-        std::uint32_t* end = indices;
+        std::uint32_t *end = indices, *hem = indices + room;
         for (const ClothView& cloth : view.cloths) {
             const std::size_t first_middle = fixed_vertices() + SmoothOutline::middles_each * first;
-            end = outline_.fill(cloth.model.grid,
-                                {vertices + first, vertices + first_middle, static_cast<std::uint32_t>(first),
-                                 static_cast<std::uint32_t>(first_middle)},
-                                from, end);
-            outline_room_ = std::max(outline_room_, outline_.farthest());
-            first += static_cast<std::size_t>(cloth.model.grid.particles());
+            const SmoothOutline::Vertices of_cloth{vertices + first, vertices + first_middle,
+                                                   static_cast<std::uint32_t>(first),
+                                                   static_cast<std::uint32_t>(first_middle)};
+            end = outline_.fill(cloth.model.grid, of_cloth, from, end);
+            hem = outline_.fill_hem(cloth.model.grid, of_cloth, hem);
+            const auto count = static_cast<std::size_t>(cloth.model.grid.particles());
+            const Eigen::Map<const Eigen::Vector3f> inside(vertices[first + count / 2].position);
+            hem_width_ = std::max(hem_width_, thickness * from.pixels / (from.eye - inside).norm());
+            outline_room_ = std::max(outline_room_, outline_.farthest() + hem_width_);
+            first += count;
         }
         outlined_index_count_ = static_cast<int>(end - indices);
+        hem_start_ = sizeof(std::uint32_t) * static_cast<std::size_t>(hem - indices);
+        hem_index_count_ = static_cast<int>(indices + room - hem);
     }
 
     // Cloths, then solids
@@ -264,8 +277,10 @@ private:
     std::vector<TriangleMesh> meshes_;                       ///< of the shapes
     SmoothOutline outline_;
     bool smooth_ = false;
-    int outlined_index_count_ = 0;
-    float outline_room_ = 0;  ///< how far the outline stands out of the triangles between particles [pixel]
+    int outlined_index_count_ = 0, hem_index_count_ = 0;
+    std::size_t hem_start_ = 0;  ///< in the region of indices [byte]
+    float hem_width_ = 1;        ///< as thick as the cloth is for its contacts [pixel]
+    float outline_room_ = 0;     ///< how far the outline stands out of the triangles between particles [pixel]
     std::size_t particle_count_ = 0, body_vertex_count_ = 0;
     int cloth_index_count_ = 0, body_index_count_ = 0, sphere_index_count_ = 0, ball_count_ = 0;
 };

@@ -284,7 +284,8 @@ void add_the_rest(std::vector<Setting>& table) {
              "what the cloth's colour says: nothing, strain, the same with its principal directions, speed, contact "
              "depth, the node of the shown level, side, difference from what is compared");
     view.add("weave", &ViewSettings::weave, "show the cloth's weave, which stretches with it");
-    view.add("smooth", &ViewSettings::smooth, "draw the cloth's outline as curves through its particles");
+    view.add("smooth", &ViewSettings::smooth,
+             "draw the cloth's outline as curves through its particles, and its edge as thick as contact.thickness");
     view.add("grid", &ViewSettings::grid,
              "show a grid on the ground, a line every 10 cm and a stronger one every metre");
     view.add("quality", &ViewSettings::quality,

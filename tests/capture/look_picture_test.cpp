@@ -66,6 +66,28 @@ TEST_F(LookPicture, DiffersByFabricAndPalette) {
     for (std::size_t i = 1; i < looks.size(); ++i) EXPECT_NE(looks[i].rgb, looks[i - 1].rgb) << i;
 }
 
+/// Seen on edge, where its sides are a line without width, the cloth is as thick as for its contacts.
+TEST_F(LookPicture, IsAsThickOnEdgeAsForContacts) {
+    settings.view.eye = Vec3(0, 0.65, 2);
+    settings.view.target = Vec3(0, 0.65, 0);
+    const auto rows = [&](Real thickness) {
+        settings.contact.thickness = thickness;
+        settings.view.smooth = false;
+        const Image without = draw(cloth());
+        settings.view.smooth = true;
+        const Image with = draw(cloth());
+        int changed = 0;
+        for (int y = 0; y < look_height; ++y) {
+            changed +=
+                std::abs(brightness_at(with, look_width / 2, y) - brightness_at(without, look_width / 2, y)) > 60;
+        }
+        return changed;
+    };
+    const int thin = rows(0.01);
+    EXPECT_GT(thin, 2);
+    EXPECT_NEAR(rows(0.04), 4 * thin, 4);
+}
+
 struct GroundGrid : LookPicture {
     /// How much darker the ground is on its lines than between them, where they are expected `aside` along x [m].
     double contrast(double aside) {

@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,9 +39,8 @@ protected:
     const std::vector<std::uint32_t>& fill(const Eigen::Vector3f& eye, float pixels = 1000) {
         const auto count = static_cast<std::size_t>(grid_.particles());
         indices_.assign(12 * static_cast<std::size_t>(grid_.triangles()), 0);
-        const SmoothOutline::Vertices vertices{vertices_.data(), vertices_.data() + count, 0,
-                                               static_cast<std::uint32_t>(count)};
-        const std::uint32_t* end = outline_.fill(grid_, vertices, {eye, pixels}, indices_.data());
+        in_buffer_ = {vertices_.data(), vertices_.data() + count, 0, static_cast<std::uint32_t>(count)};
+        const std::uint32_t* end = outline_.fill(grid_, in_buffer_, {eye, pixels}, indices_.data());
         indices_.resize(static_cast<std::size_t>(end - indices_.data()));
         return indices_;
     }
@@ -59,6 +60,7 @@ protected:
 
     Grid grid_;
     std::vector<ClothVertex> vertices_;
+    SmoothOutline::Vertices in_buffer_{};
     std::vector<std::uint32_t> indices_;
     SmoothOutline outline_;
 };
@@ -106,6 +108,14 @@ TEST_F(SmoothOutlineTest, HasNoGapsAndKeepsItsFront) {
             if (!all.contains({edge.second, edge.first})) ++borders;
         }
         EXPECT_EQ(borders, 4 * (grid_.nx - 1) + 4 * (grid_.ny - 1)) << "each edge of the border is divided";
+
+        std::vector<std::uint32_t> hem(2 * static_cast<std::size_t>(borders));
+        EXPECT_EQ(outline_.fill_hem(grid_, in_buffer_, hem.data() + hem.size()), hem.data());
+        std::set<std::pair<std::uint32_t, std::uint32_t>> lines;
+        for (std::size_t k = 0; k < hem.size(); k += 2) {
+            EXPECT_TRUE(lines.insert(std::minmax(hem[k], hem[k + 1])).second) << "each once";
+            EXPECT_NE(all.contains({hem[k], hem[k + 1]}), all.contains({hem[k + 1], hem[k]})) << "only on the border";
+        }
         for (std::size_t t = 0; t < indices_.size(); t += 3) {
             const Eigen::Vector3f a = at(indices_[t]), b = at(indices_[t + 1]), c = at(indices_[t + 2]);
             const Eigen::Vector3f out((a + b + c).x(), (a + b + c).y(), 0);
