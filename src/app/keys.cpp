@@ -9,7 +9,8 @@ namespace drape {
 
 std::string character_key(unsigned char code, bool shift, bool control) {
     constexpr int letters = 26;  // which Control turns into the codes from 1 on
-    if (control) return code >= 1 && code <= letters ? std::string("Ctrl+") + static_cast<char>('A' + code - 1) : "";
+    const std::string modifiers = std::string(control ? "Ctrl+" : "") + (shift ? "Shift+" : "");
+    if (control) return code >= 1 && code <= letters ? modifiers + static_cast<char>('A' + code - 1) : "";
     if (code == ' ') return "Space";
     if (code == '\t') return "Tab";
     if (code == 27) return "Esc";
@@ -17,7 +18,7 @@ std::string character_key(unsigned char code, bool shift, bool control) {
     const bool small = code >= 'a' && code <= 'z';
     if (small || (code >= 'A' && code <= 'Z')) {
         const char letter = static_cast<char>(small ? code - 'a' + 'A' : code);
-        return (shift ? "Shift+" : "") + std::string(1, letter);
+        return modifiers + letter;
     }
     return code > ' ' && code < 127 ? std::string(1, static_cast<char>(code)) : std::string();
 }
@@ -39,7 +40,7 @@ std::string special_key(int code, bool shift) {
 }
 
 std::string without_modifiers(const std::string& key) {
-    const std::size_t plus = key.find('+');
+    const std::size_t plus = key.rfind('+');
     return key.size() > 1 && plus != std::string::npos ? key.substr(plus + 1) : key;
 }
 

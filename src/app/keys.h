@@ -4,10 +4,10 @@
 
 namespace drape {
 
-/// The name of a key that makes a character, as entries spell it: "P", "Shift+O", "Ctrl+Q", "Space", "?";
+/// The name of a key that makes a character, as entries spell it: "P", "Shift+O", "Ctrl+Shift+Z", "Space", "?";
 /// empty if it has none.
 /// @param code as GLUT gives it: with Control, letters come as control codes
-/// @param shift whether Shift is down; it is part of a letter's name only, without Control
+/// @param shift whether Shift is down; it is part of a letter's name only
 /// @param control whether Control is down; only letters have a name with it
 std::string character_key(unsigned char code, bool shift, bool control);
 

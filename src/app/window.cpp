@@ -74,7 +74,7 @@ int Window::run() {
     schedule();
     glutMainLoop();
     if (const std::string news = video_.close(); !news.empty()) tell("drape: " + news);
-    if (keeps_size(options_) && width_ > 0 && height_ > 0) keep_window_size({width_, height_});
+    if (keeps_size(options_) && kept_size_.width > 0 && kept_size_.height > 0) keep_window_size(kept_size_);
     if (failure_) std::rethrow_exception(failure_);
     return signal_ == 0 ? 0 : 128 + signal_;
 }
@@ -280,13 +280,14 @@ void Window::start_scene() {
     renderer_->panels().help = help_lines(entries_, !session_.simulation().balls().empty());
     renderer_->panels().hint = {};
     touring_ = false;
+    undo_ = {};
     glutSetWindowTitle(("Drape - " + session_.simulation().settings().title).c_str());
 }
 
 void Window::take_panel_changes() {
     const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
     if (wishes.step) go_to(*wishes.step);
-    for (const std::string& change : wishes.changes) carry_out(command::Set{change});
+    for (const std::string& assignment : wishes.changes) change(command::Set{assignment}, panel_presses_);
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));
 }

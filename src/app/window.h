@@ -21,6 +21,7 @@
 #include "picture_pace.h"
 #include "pointer.h"
 #include "scene_watch.h"
+#include "setting_undo.h"
 #include "shot_repeat.h"
 #include "steering.h"
 #include "window_video.h"
@@ -85,6 +86,8 @@ private:
     void release(const std::string& key);
     void type_at_panel(unsigned char code);
     bool carry_out(const Command& command);
+    bool change(const Command& command, int press = 0);
+    void undo(bool again);
     void carry_out(const std::vector<Command>& commands);
     void give(const Entry& entry);
     [[nodiscard]] std::vector<Command> commands_of(const Entry& entry);
@@ -137,6 +140,7 @@ private:
     std::string told_failure_;  ///< of which it tells
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;
+    SettingUndo undo_;
     std::string first_scene_;  ///< with which the program began
     const Options& options_;
     std::string scene_error_;       ///< of the scene's file as it was last saved; empty: none
@@ -148,6 +152,7 @@ private:
     std::int64_t drawn_step_ = -1;
     int window_ = 0;
     int width_ = 0, height_ = 0;
+    PictureSize kept_size_{0, 0};  ///< that it had last while it did not fill the screen
     int signal_ = 0;
     bool visible_ = true;
     bool sees_ball_ = false;       ///< the user's ball is in the picture
@@ -155,6 +160,7 @@ private:
     std::optional<bool> unshown_;  ///< a picture is being drawn and has to be shown: whether it is a fast one
     bool closed_ = false;
     bool panel_button_ = false;  ///< the left button is down at the settings panel
+    int panel_presses_ = 0;      ///< of the left button there
     int panel_frames_ = 0;       ///< to be drawn for what the settings panel was told
     int stop_ = 0;               ///< of the tour: the present one, or that which F1 goes to
     bool touring_ = false;       ///< the scene is a stop's, and its panel is on show

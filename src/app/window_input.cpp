@@ -107,6 +107,7 @@ void Window::on_choice(int number) {
 }
 
 void Window::give(const Entry& entry) {
+    dirty_ = true;
     if (entry.manner == Manner::Compare) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
@@ -115,16 +116,17 @@ void Window::give(const Entry& entry) {
     }
     if (entry.manner == Manner::Search) {
         steering_.release_all();
-        dirty_ = true;
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
+    if (entry.manner == Manner::Fullscreen) return glutFullScreenToggle();
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
     if (entry.manner == Manner::Reload) return touring_ ? go_to_stop(stop_) : reload_scene();
     if (entry.manner == Manner::NextStop) return go_to_stop(touring_ ? stop_ + 1 : stop_);
     if (entry.manner == Manner::StopBefore) return go_to_stop(stop_ - 1);
+    if (entry.manner == Manner::Undo || entry.manner == Manner::Redo) return undo(entry.manner == Manner::Redo);
     for (const Command& command : commands_of(entry)) {
-        if (!carry_out(command)) continue;
+        if (!change(command)) continue;
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
@@ -206,6 +208,7 @@ void Window::on_button(int button, int state, int x, int y) {
         const bool was_at_panel = std::exchange(panel_button_, false);
         const bool is_at_panel = at_panel({.x = x, .y = y, .down = down, .control = held.control});
         panel_button_ = down && is_at_panel;
+        panel_presses_ += panel_button_ ? 1 : 0;
         if (is_at_panel || was_at_panel) return;
     }
     const Sight sight{session_.view(), shown_, width_, height_};
@@ -251,6 +254,7 @@ void Window::on_visibility(int state) {
 void Window::on_reshape(int width, int height) {
     width_ = width;
     height_ = height;
+    if (glutGet(GLUT_FULL_SCREEN) == 0) kept_size_ = {width, height};
     unshown_.reset();
     if (renderer_) renderer_->resize(width, height);
     video_.resize({width, height});
@@ -285,6 +289,31 @@ std::vector<Command> Window::safe_step() {
     if (!(longest > 0) || !std::isfinite(longest)) return {command::Reset{}};
     const double step = std::min(session_.simulation().settings().solver.dt, 0.9 * longest);
     return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
+}
+
+// By the user, who may take it back where it is one of a setting
+bool Window::change(const Command& command, int press) {
+    const Settings& settings = session_.simulation().settings();
+    const std::string name(setting_of(command));
+    if (name.empty()) return carry_out(command);
+    std::vector<std::string> before = assignments_of(settings, name);
+    if (!carry_out(command)) return false;
+    undo_.changed(name, std::move(before), assignments_of(settings, name), press);
+    return true;
+}
+
+void Window::undo(bool again) {
+    const Settings& settings = session_.simulation().settings();
+    std::string outcome;
+    for (const std::string& assignment : undo_.next(again, settings)) {
+        if (!carry_out(command::Set{assignment})) return;
+        const std::size_t equals = assignment.find('=');
+        outcome += (outcome.empty() ? "" : ", ") + assignment.substr(0, equals) + " = " +
+                   shortened(assignment.substr(equals + 1));
+    }
+    notices_.add("outcome", outcome.empty()
+                                ? "No change of a setting is left to " + std::string(again ? "redo" : "undo")
+                                : outcome + " again");
 }
 
 void Window::carry_out(const std::vector<Command>& commands) {

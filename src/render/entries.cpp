@@ -76,17 +76,11 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"Space", "P"}, "Pause / Resume", "pause", Manner::Once, {}, "Time"},
         {"Time", {"O", "."}, "Single step", "step 1"},
         {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
-        {"Time", {","}, "One step back", "step 1", Manner::StepBack, "One step back, 1/60 s back"},
-        {"Time", {"<"}, "1/60 s back", "step 1", Manner::FrameBack, "One step back, 1/60 s back"},
+        {"Time", {","}, "One step back", "", Manner::StepBack, "One step back, 1/60 s back"},
+        {"Time", {"<"}, "1/60 s back", "", Manner::FrameBack, "One step back, 1/60 s back"},
         {"", {"R"}, "Reset", "reset", Manner::Once, "Reset; changed settings stay", "Time"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep, {}, "Time"},
-        {"",
-         {"Ctrl+R"},
-         "Reload the scene",
-         "scene hang",
-         Manner::Reload,
-         "Reload the scene: its settings, its view",
-         "Time"},
+        {"", {"Ctrl+R"}, "Reload the scene", "", Manner::Reload, "Reload the scene: its settings, its view", "Time"},
     };
     for (std::size_t s = 0; s < scenes.size(); ++s) {
         std::vector<std::string> keys;
@@ -147,6 +141,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"View", {"M"}, "Settings panel", "next view.controls", Manner::Once, {}, panels},
         {"View", {"Shift+K"}, "Plots of the last seconds", "next view.plots", Manner::Once, {}, panels},
         {"View", {"K"}, "Energy balance", "next solver.ledger", Manner::Once, {}, panels},
+        {"View", {"F11"}, "Fullscreen", "", Manner::Fullscreen},
         {"View", {"F"}, "Frame the scene with the camera", "frame"},
         {"View", {"Shift+F"}, "First view of the scene", "home"},
         {"Ball", {"Left", "A"}, "Ball to the left", "steer -1 0 0", Manner::WhileHeld, across},
@@ -160,12 +155,14 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"G"}, "Remove all pins", "set cloth.pinned=none", Manner::Once, {}, "Cloth and wind"},
         {"Time", {"-"}, "Slower", "set view.speed=0.5", Manner::Slower, "Slower, faster"},
         {"Time", {"=", "+"}, "Faster", "set view.speed=2", Manner::Faster, "Slower, faster"},
+        {"", {"Ctrl+Z"}, "Undo the last change of a setting", "", Manner::Undo},
+        {"", {"Ctrl+Y", "Ctrl+Shift+Z"}, "Redo it", "", Manner::Redo},
         {"", {"V"}, "Wind", "next wind.on", Manner::Once, {}, "Cloth and wind"},
         {"", {"F12"}, "Save screenshot", "picture"},
         {"", {"Shift+F12"}, "Record video: start, end", "video"},
-        {"Tour", {"F1"}, "Tour: next stop", "scene hang", Manner::NextStop, tour, scenes_and_tour},
-        {"Tour", {"F2"}, "Tour: previous stop", "scene hang", Manner::StopBefore, tour, scenes_and_tour},
-        {"", {"/"}, "Search menu, settings and scenes", "quit", Manner::Search, {}, panels},
+        {"Tour", {"F1"}, "Tour: next stop", "", Manner::NextStop, tour, scenes_and_tour},
+        {"Tour", {"F2"}, "Tour: previous stop", "", Manner::StopBefore, tour, scenes_and_tour},
+        {"", {"/"}, "Search menu, settings and scenes", "", Manner::Search, {}, panels},
         {"", {"H", "?"}, "Help", "next view.help", Manner::Once, {}, panels},
         {"", {"Ctrl+Q", "Esc"}, "Quit", "quit", Manner::Once, "Quit; Esc closes what is open first, and asks"},
     };
@@ -177,7 +174,8 @@ const Entry* find_entry(const std::vector<Entry>& entries, std::string_view key)
     const auto found = std::ranges::find_if(
         entries, [&](const Entry& entry) { return std::ranges::find(entry.keys, key) != entry.keys.end(); });
     if (found != entries.end()) return &*found;
-    return key.starts_with(with_shift) ? find_entry(entries, key.substr(with_shift.size())) : nullptr;
+    const std::size_t shift = key.find(with_shift);
+    return shift == key.npos ? nullptr : find_entry(entries, std::string(key).erase(shift, with_shift.size()));
 }
 
 std::vector<KeyHelp> first_hints(bool has_ball) {

@@ -41,10 +41,7 @@ void MenuPanel::open(std::span<const Entry> entries, const Settings& settings) {
     items_.clear();
     for (const Entry& entry : entries) {
         const std::string keys = key_text(entry), group = entry.menu.empty() ? "General" : entry.menu;
-        // What the window does by itself has a command that says nothing
-        const bool by_window = entry.manner == Manner::Reload || entry.manner == Manner::NextStop ||
-                               entry.manner == Manner::StopBefore || entry.manner == Manner::Search;
-        const std::string searched = entry.text + " " + group + " " + keys + (by_window ? "" : " " + entry.command);
+        const std::string searched = entry.text + " " + group + " " + keys + " " + entry.command;
         items_.push_back({group, entry.text, keys, small_letters(searched), MenuMark(entry)});
     }
     for (const Setting& setting : setting_table()) {

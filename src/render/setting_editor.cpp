@@ -64,20 +64,18 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
                             const Settings& scene) {
     const bool is_whole = setting.kind == SettingKind::Integer || setting.kind == SettingKind::Grid;
     const bool is_list = setting.kind != SettingKind::Number && setting.kind != SettingKind::Integer;
-    const std::size_t count = section_count(settings, setting);
     std::optional<SettingValue> of_the_scene;
     if (number < section_count(scene, setting)) of_the_scene = setting.read(scene, number);
     const SliderScale scale = slider_scale(setting, number_in(of_the_scene));
-    return {
-        .setting = &setting,
-        .name = count > 1 ? setting.section + "[" + std::to_string(number) + "]." + setting.name : setting.full_name(),
-        .format = is_whole  ? "%.0f"
-                  : is_list ? "%.3g"
-                            : number_format(setting),
-        .value = setting.read(settings, number),
-        .of_the_scene = std::move(of_the_scene),
-        .scale = scale,
-        .no_effect = why_without_effect(setting, settings, number)};
+    return {.setting = &setting,
+            .name = name_of(setting, number, settings),
+            .format = is_whole  ? "%.0f"
+                      : is_list ? "%.3g"
+                                : number_format(setting),
+            .value = setting.read(settings, number),
+            .of_the_scene = std::move(of_the_scene),
+            .scale = scale,
+            .no_effect = why_without_effect(setting, settings, number)};
 }
 
 SettingValue another_value(const SettingRow& row) {

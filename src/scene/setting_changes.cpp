@@ -191,6 +191,22 @@ void end_pins_without_particles(Settings& settings) {
 
 const Setting& setting_meant_by(std::string_view name) { return *find_target(name).setting; }
 
+std::string name_of(const Setting& setting, std::size_t number, const Settings& settings) {
+    if (section_count(settings, setting) <= 1) return setting.full_name();
+    return setting.section + "[" + std::to_string(number) + "]." + setting.name;
+}
+
+std::vector<std::string> assignments_of(const Settings& settings, std::string_view name) {
+    const Target target = find_target(name);
+    const Setting& setting = *target.setting;
+    std::vector<std::string> assignments;
+    for (std::size_t i = 0; i < section_count(settings, setting); ++i) {
+        if (target.index.value_or(i) != i) continue;
+        assignments.push_back(name_of(setting, i, settings) + "=" + value_text(setting.read(settings, i)));
+    }
+    return assignments;
+}
+
 void assign(Settings& settings, std::string_view assignment) {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string_view::npos || equals == 0) {

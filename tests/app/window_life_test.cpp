@@ -247,15 +247,18 @@ TEST_F(WindowTest, WithoutADisplayTheTourIsDrawnOffScreen) {
 }
 
 TEST_F(WindowTest, HasTheSizeOfTheLastTimeUnlessItIsTold) {
-    const auto size_of_window = [this](const std::vector<std::string>& options) {
+    const auto size_now = [this] {
+        const std::string said = desktop_.act({"getwindowgeometry", "--shell", window_});
+        return said.substr(said.find("WIDTH="), said.find("\nSCREEN") - said.find("WIDTH="));
+    };
+    const auto size_of_window = [&, this](const std::vector<std::string>& options) {
         std::vector<std::string> words{program("drape"), "hang"};
         words.insert(words.end(), options.begin(), options.end());
         drape_.emplace(
             words, std::map<std::string, std::string>{{"DISPLAY", desktop_.display()}, {"XDG_STATE_HOME", file("")}},
             folder_);
         window_ = desktop_.find_window();
-        const std::string said = desktop_.act({"getwindowgeometry", "--shell", window_});
-        return said.substr(said.find("WIDTH="), said.find("\nSCREEN") - said.find("WIDTH="));
+        return size_now();
     };
     const auto resize_and_quit = [this](const std::string& width, const std::string& height) {
         desktop_.act({"windowsize", "--sync", window_, width, height});
@@ -270,6 +273,15 @@ TEST_F(WindowTest, HasTheSizeOfTheLastTimeUnlessItIsTold) {
     EXPECT_EQ(size_of_window({}), "WIDTH=1280\nHEIGHT=720");
     resize_and_quit("900", "500");
     EXPECT_EQ(size_of_window({}), "WIDTH=900\nHEIGHT=500");
+    const auto becomes = [&](const char* size) { return eventually([&] { return size_now() == size; }); };
+    desktop_.key("F11");
+    EXPECT_TRUE(becomes("WIDTH=1280\nHEIGHT=1024")) << size_now();
+    desktop_.key("F11");
+    EXPECT_TRUE(becomes("WIDTH=900\nHEIGHT=500")) << size_now();
+    desktop_.key("F11");
+    EXPECT_TRUE(becomes("WIDTH=1280\nHEIGHT=1024")) << size_now();
+    quit();
+    EXPECT_EQ(size_of_window({}), "WIDTH=900\nHEIGHT=500") << "not that of the screen";
     quit();
     EXPECT_EQ(size_of_window({"--check"}), "WIDTH=1280\nHEIGHT=720");
     quit();

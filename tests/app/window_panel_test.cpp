@@ -4,6 +4,8 @@
 #include <span>
 
 #include "app/window_fixture.h"
+#include "drape/scene/scene.h"
+#include "drape/scene/setting_table.h"
 
 namespace drape {
 namespace {
@@ -44,6 +46,9 @@ TEST_F(WindowTest, TheDrawnMenuCarriesOutAnEntryAndShowsASettingWhereItIsChanged
     desktop_.act({"mouseup", "1"});
     ASSERT_TRUE(slid);
     EXPECT_TRUE(commands()[4].starts_with("set cloth.shear.")) << "letters are no keys, and the cloth is not grabbed";
+    desktop_.key("ctrl+z");
+    const std::string before = assignments_of(load_scene("hang"), "cloth.shear.stiffness").front();
+    EXPECT_TRUE(recorded("set " + before)) << "a drag is one change, however many commands it gave";
     quit();
 }
 

@@ -87,7 +87,7 @@ TEST_F(DrawnMenu, FindsASceneByItsCommandAndNotWhatReloads) {
 }
 
 TEST_F(DrawnMenu, SaysThatNothingIsFound) {
-    search("fullscreen");
+    search("full moon");
     EXPECT_THAT(draw(), HasSubstr("Nothing found"));
     panels_.type(enter);
     EXPECT_FALSE(panels_.wishes.entry);

@@ -27,7 +27,10 @@ enum class Manner {
     NextStop,   ///< of the tour: its scene and what it changes in it
     StopBefore,
     Compare,  ///< loads a scene and compares it
-    Search,   ///< no command: the drawn menu with its search field
+    Search,   ///< the drawn menu with its search field
+    Fullscreen,
+    Undo,  ///< of the last change of a setting
+    Redo,
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.
@@ -35,7 +38,7 @@ struct Entry {
     std::string menu;               ///< the submenu it is in, as "View/Colour by"; empty for the menu itself
     std::vector<std::string> keys;  ///< "P", "Space", "F12", "Shift+O", "Ctrl+Q": letters without Shift fit either case
     std::string text;               ///< as in the menu
-    std::string command;            ///< in text form
+    std::string command;            ///< in text form; empty: the window does it by itself
     Manner manner = Manner::Once;
     std::string help = {};   ///< of its line in the help, which it shares with the entries before it that have the same
     std::string group = {};  ///< of that line; empty: what the menu's path begins with, or "General"

@@ -101,6 +101,14 @@ std::string value_text(const SettingValue& value);
 /// A value as panels and messages show it: "on", "2e-04 s", "never".
 std::string shown_value(const Setting& setting, const SettingValue& value);
 
+/// What the user calls the setting of one cloth, ball, solid or pins: its full name, with a number where there are
+/// several.
+std::string name_of(const Setting& setting, std::size_t number, const Settings& settings);
+
+/// The assignments that give a setting the values that it has, one for each cloth, ball, solid or pins that it is of.
+/// @throws InputError as `find_setting`
+std::vector<std::string> assignments_of(const Settings& settings, std::string_view name);
+
 /// Applies "name=value". The name of a cloth's, ball's, solid's or pins' setting sets all of them, or one:
 /// "ball[1].radius" is the second.
 /// @throws InputError whose text starts with the setting; `settings` is then unchanged

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "drape/scene/setting_table.h"
+
+namespace drape {
+
+/// Changes of settings by the user, to take them back, the last first, and to make them again. One that is as it would
+/// become, as after a way back in time, is passed over.
+class SettingUndo {
+public:
+    using Assignments = std::vector<std::string>;
+
+    /// A setting was changed.
+    /// @param name with the number of the ball if it is one of several
+    /// @param press of the button, by its number, where it is still the same drag: that is one change; 0: by no button
+    void changed(const std::string& name, Assignments before, Assignments after, int press) {
+        if (before == after) return;
+        changes_.resize(done_);
+        const bool goes_on =
+            press != 0 && !changes_.empty() && changes_.back().press == press && changes_.back().name == name;
+        if (!goes_on) changes_.push_back({name, press, std::move(before), {}});
+        changes_.back().after = std::move(after);
+        done_ = changes_.size();
+    }
+
+    /// What takes back the last change that is not taken back, or what makes the last again that is. Empty: none is.
+    Assignments next(bool again, const Settings& now) {
+        while (again ? done_ < changes_.size() : done_ > 0) {
+            const Change& change = changes_[again ? done_++ : --done_];
+            const Assignments& wanted = again ? change.after : change.before;
+            if (assignments_of(now, change.name) != wanted) return wanted;
+        }
+        return {};
+    }
+
+private:
+    struct Change {
+        std::string name;
+        int press;
+        Assignments before, after;
+    };
+    std::vector<Change> changes_;
+    std::size_t done_ = 0;  ///< of these; the others are taken back
+};
+
+}  // namespace drape
