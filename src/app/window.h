@@ -94,6 +94,8 @@ private:
     [[nodiscard]] std::vector<Command> safe_step();
     [[nodiscard]] std::int64_t steps_of_a_frame() const;
     void go_to(std::int64_t step);
+    void replay_run();
+    void replay_file(const std::string& file);
     void go_to_stop(int stop);
     void leave_tour();
     void forget_hint();

@@ -13,6 +13,8 @@
 #include "drape/base/numbers.h"
 #include "drape/scene/setting_table.h"
 #include "drape/session/comparison.h"
+#include "drape/session/recording.h"
+#include "drape/session/start.h"
 #include "drape/session/tour.h"
 #include "keys.h"
 #include "outcome.h"
@@ -116,9 +118,15 @@ void Window::give(const Entry& entry) {
     }
     if (entry.manner == Manner::Search) {
         steering_.release_all();
+        std::erase_if(entries_, [](const Entry& old) { return old.manner == Manner::ReplayFile; });
+        for (const std::string& file : recordings_in(".")) {
+            entries_.push_back({"Replay", {}, file, "", Manner::ReplayFile});
+        }
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
     if (entry.manner == Manner::Fullscreen) return glutFullScreenToggle();
+    if (entry.manner == Manner::ReplayRun) return replay_run();
+    if (entry.manner == Manner::ReplayFile) return replay_file(entry.text);
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
     if (entry.manner == Manner::FrameBack) return go_to(session_.timeline().now - steps_of_a_frame());
     if (entry.manner == Manner::Reload) return touring_ ? go_to_stop(stop_) : reload_scene();
@@ -282,6 +290,25 @@ void Window::go_to(std::int64_t step) {
     session_.go_to(step);
     steering_.forget_given();
     if (step < session_.timeline().oldest) notices_.add("time", "Nothing is kept of what was before");
+}
+
+void Window::replay_run() {
+    const Timeline timeline = session_.timeline();
+    if (timeline.start == timeline.newest) return notices_.add("time", "There is nothing to replay");
+    go_to(timeline.start);
+    carry_out(command::Pause{});
+}
+
+// A mistake in it changes nothing
+void Window::replay_file(const std::string& file) {
+    try {
+        Start start = make_start({.replay = file});
+        load_scene_first(*start.replay);
+        if (session_.simulation().paused()) carry_out(command::Pause{});
+        session_.replay(*std::move(start.replay));
+    } catch (const InputError& error) {
+        notices_.add("input", error.what());
+    }
 }
 
 std::vector<Command> Window::safe_step() {

@@ -24,8 +24,9 @@ std::string line_of(const Timeline& timeline) {
     const double megabytes = timeline.bytes / 1e6;
     if (timeline.replay) {
         // What lies ahead may change the time step: nobody knows yet how long it takes
-        return format("Replay: %.2f s, step %lld of %lld", timeline.passed, static_cast<long long>(timeline.now),
-                      static_cast<long long>(timeline.newest));
+        return format("Replay: %.2f s, step %lld of %lld", timeline.passed,
+                      static_cast<long long>(timeline.now - timeline.replay_from),
+                      static_cast<long long>(timeline.newest - timeline.replay_from));
     }
     if (timeline.is_too_large()) return "This scene is too large to go back in";
     if (timeline.is_live()) {

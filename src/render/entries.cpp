@@ -78,6 +78,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"Time", {"Shift+O"}, "Single frame of 1/60 s", "step 1", Manner::OneFrame},
         {"Time", {","}, "One step back", "", Manner::StepBack, "One step back, 1/60 s back"},
         {"Time", {"<"}, "1/60 s back", "", Manner::FrameBack, "One step back, 1/60 s back"},
+        {"Time", {}, "Replay this run from its start", "", Manner::ReplayRun},
         {"", {"R"}, "Reset", "reset", Manner::Once, "Reset; changed settings stay", "Time"},
         {"", {"Shift+R"}, "Reset with a stable time step", "reset", Manner::SafeStep, {}, "Time"},
         {"", {"Ctrl+R"}, "Reload the scene", "", Manner::Reload, "Reload the scene: its settings, its view", "Time"},

@@ -14,15 +14,11 @@ constexpr double bytes_in_pairs = 13000;
 
 }  // namespace
 
-double bytes_of_pairs(const ContactSettings& contact, const Grid& grid) {
-    return contact.self ? bytes_in_pairs * grid.particles() : 0;
-}
-
 double memory_needed(const Settings& settings) {
     double bytes = 0;
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
-        bytes += bytes_of_particle * grid.particles() + bytes_of_pairs(settings.contact, grid) +
+        bytes += (bytes_of_particle + (settings.contact.self ? bytes_in_pairs : 0)) * grid.particles() +
                  bytes_of_method(integrator_of(settings.solver), grid);
     }
     return bytes;

@@ -86,6 +86,32 @@ Recording read_recording(std::istream& in, const std::string& file) {
     }
 }
 
+void load_scene_first(Recording& recording) {
+    std::vector<RecordedEntry> first{{0, command::LoadScene{recording.scene}, Recording::first_assignment - 1}};
+    for (const std::string& assignment : recording.assignments) {
+        first.push_back({0, command::Set{assignment}, first.back().line + 1});
+    }
+    first.push_back({0, command::Reset{}, first.back().line});
+    recording.entries.insert(recording.entries.begin(), first.begin(), first.end());
+}
+
+std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
+    std::vector<std::string> names;
+    std::error_code refused;
+    std::string line;
+    for (std::filesystem::directory_iterator file(folder, refused), end; file != end; file.increment(refused)) {
+        try {
+            InputFile in(file->path().string(), largest_recording, InputKind::Regular);
+            const bool begins = read_line(in, line, first_line.size()) == LineEnd::Whole && line == first_line;
+            if (begins) names.push_back(file->path().filename().string());
+        } catch (const InputError&) {
+            continue;
+        }
+    }
+    std::ranges::sort(names);
+    return names;
+}
+
 Recorder::Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments)
     : file_(file, OutputFile::LeftOver::Keep) {
     file_.stream() << first_line << "\nscene " << scene << '\n';

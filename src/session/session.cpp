@@ -1,7 +1,6 @@
 #include "drape/session/session.h"
 
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <stdexcept>
 
@@ -23,11 +22,6 @@ constexpr double step_tolerance = 1e-6;
 
 /// Likewise of a late time, whose own rounding is more than that.
 constexpr double clock_tolerance = 4 * std::numeric_limits<double>::epsilon();
-
-/// Whether nothing that was before can be gone back to.
-bool begins_history(const Command& command) {
-    return begins_again(command) && !std::holds_alternative<command::Reset>(command);
-}
 
 bool pauses(const Command& command) {
     return std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
@@ -54,18 +48,23 @@ void Session::record(const std::string& file, const std::vector<std::string>& as
 }
 
 void Session::replay(Recording recording) {
+    arrive();
+    if (any_lies_ahead()) take_over();
     replay_ = std::move(recording);
-    log_.assign(std::make_move_iterator(replay_.entries.begin()), std::make_move_iterator(replay_.entries.end()));
-    last_step_ = replay_.last_step.value_or(log_.empty() ? 0 : log_.back().step);
-    replay_.entries.clear();
-    first_entry_ = next_entry_ = 0;
+    replay_notice_.clear();
+    replay_differs_ = false;
+    replay_from_ = steps_made_;
+    replay_from_time_ = step_times_.at(steps_made_);
+    std::vector<RecordedEntry> entries = std::exchange(replay_.entries, {});
+    last_step_ = steps_made_ + replay_.last_step.value_or(entries.empty() ? 0 : entries.back().step);
+    for (RecordedEntry& entry : entries) log_.push_back(std::move(entry)), log_.back().step += steps_made_;
     play_due_entries(true);
-    if (log_.empty()) say_cut();
+    if (next_entry_ == end_of_log()) say_cut();
 }
 
 void Session::keep_history(HistoryLimits limits) {
     history_.emplace(limits);
-    begin_history();
+    begin_run(false);
 }
 
 void Session::send(const Command& command) {
@@ -86,7 +85,7 @@ void Session::send(const Command& command) {
         log_.push_back({steps_made_, command});
         next_entry_ = end_of_log();
     }
-    if (begins_history(command)) begin_history();
+    if (begins_again(command)) begin_run(std::holds_alternative<command::Reset>(command));
 }
 
 void Session::carry_out(const Command& command, bool is_new) {
@@ -107,18 +106,21 @@ void Session::carry_out(const Command& command, bool is_new) {
     if (is_new && recorder_) recorder_->write(steps_made_, command);
 }
 
-/// There is no way back from here.
-void Session::begin_history() {
-    history_->forget();
-    idle_from_.reset();
-    pass_moment();
+/// There is no way back from here, but from a reset.
+void Session::begin_run(bool is_reset) {
+    if (!is_reset) {
+        history_->forget();
+        idle_from_.reset();
+    }
+    pass_moment(true);
 }
 
-void Session::pass_moment() {
-    history_->pass(steps_made_, next_entry_, dt() / simulation_.settings().view.speed, simulation_, comparison_);
-    const std::size_t first = history_->empty() ? next_entry_ : history_->oldest().next_entry;
+void Session::pass_moment(bool begins) {
+    const double length = dt() / simulation_.settings().view.speed;
+    history_->pass(steps_made_, next_entry_, length, simulation_, comparison_, begins);
+    const std::size_t first = history_->empty() ? next_entry_ : history_->first().next_entry;
     for (; first_entry_ < first; ++first_entry_) log_.pop_front();
-    step_times_.forget_before(history_->empty() ? steps_made_ : history_->oldest().step);
+    step_times_.forget_before(history_->empty() ? steps_made_ : history_->first().step);
 }
 
 void Session::compare_after(const Command& command) {
@@ -168,7 +170,8 @@ void Session::go_to(std::int64_t step) {
     if (!any_lies_ahead()) {
         for (const Command& command : simulation_.commands_to_let_go()) send(command);
     }
-    step = std::clamp(step, history_->oldest().step, timeline().newest);
+    const Timeline timeline = this->timeline();
+    if (step != timeline.start) step = std::clamp(step, timeline.oldest, timeline.newest);
     const History::Moment& moment = *history_->before(step);
     if (step < steps_made_ || moment.step > steps_made_) {
         simulation_.go_to(moment.simulation);
@@ -184,19 +187,22 @@ void Session::go_to(std::int64_t step) {
 Timeline Session::timeline() const {
     const bool has_past = history_ && !history_->empty();
     const std::int64_t newest = last_step_ > newest_ ? last_step_ : idle_from_.value_or(newest_);
-    const std::int64_t oldest = has_past ? history_->oldest().step : steps_made_;
+    const bool is_in_gap = has_past && steps_made_ < history_->oldest().step;
+    const std::int64_t oldest = is_in_gap ? history_->first().step : has_past ? history_->oldest().step : steps_made_;
     const std::int64_t now = target_.value_or(std::min(steps_made_, newest));
     const double kept = step_times_.at(newest) - step_times_.at(oldest);
-    return {.oldest = oldest,
+    return {.start = has_past ? history_->start().step : steps_made_,
+            .oldest = oldest,
             .now = now,
             .newest = newest,
-            .passed = step_times_.at(now),
+            .passed = step_times_.at(now) - replay_from_time_,
             .back = step_times_.at(newest) - step_times_.at(now),
             .kept = kept,
             .even = std::abs(2 * step_times_.at((oldest + newest) / 2) - step_times_.at(oldest) -
                              step_times_.at(newest)) <= 2 * dt() + 1e-6 * kept,
             .bytes = has_past ? history_->bytes() : 0,
-            .replay = last_step_ > newest_};
+            .replay = last_step_ > newest_,
+            .replay_from = replay_from_};
 }
 
 FrameView Session::view() {
@@ -253,7 +259,7 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
                "' is refused: " + error.what());
         return;
     }
-    if (history_ && begins_history(command)) begin_history();
+    if (history_ && is_new && begins_again(command)) begin_run(std::holds_alternative<command::Reset>(command));
     const bool is_seen = !changes_state(command) || begins_again(command);
     if (is_new && is_seen) view_commands_.push_back(command);
 }

@@ -1,6 +1,9 @@
 // The settings panel, under the pointer.
 
+#include <gmock/gmock.h>
+
 #include <algorithm>
+#include <fstream>
 #include <span>
 
 #include "app/window_fixture.h"
@@ -11,6 +14,7 @@ namespace drape {
 namespace {
 
 using test::WindowTest;
+using testing::ElementsAre;
 
 // Where the panel has the label of its first row, once it is drawn.
 bool has_label(const Image& picture) {
@@ -49,6 +53,36 @@ TEST_F(WindowTest, TheDrawnMenuCarriesOutAnEntryAndShowsASettingWhereItIsChanged
     desktop_.key("ctrl+z");
     const std::string before = assignments_of(load_scene("hang"), "cloth.shear.stiffness").front();
     EXPECT_TRUE(recorded("set " + before)) << "a drag is one change, however many commands it gave";
+    quit();
+}
+
+TEST_F(WindowTest, TheDrawnMenuReplaysTheRunAndTheRecordingsOfItsFolder) {
+    std::ofstream(file("first.txt"))
+        << "drape-recording 1\nscene drop\nset contact.friction=0.7\n0 next wind.on\n9 end\n";
+    std::ofstream(file("second.txt")) << "drape-recording 1\nscene nowhere\n0 end\n";
+    start({"hang", "--set", "view.speed=0.1"});
+    const auto choose = [this](const char* query) {
+        desktop_.key("slash");
+        desktop_.act({"type", query});
+        desktop_.key("Return");
+    };
+    ASSERT_TRUE(test::eventually([this] { return last_step() > 0; })) << "a hash tells of steps before the wind";
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next wind.on"));
+    choose("replay this");
+    desktop_.key("t");
+    ASSERT_TRUE(recorded("next contact.volume"));
+    EXPECT_THAT(commands(), ElementsAre("next contact.volume")) << "taken over before the wind came again";
+
+    choose("second.txt");
+    desktop_.key("c");
+    ASSERT_TRUE(recorded("next view.contacts"));
+    EXPECT_EQ(commands().size(), 2u) << "a bad file changes nothing";
+    choose("first.txt");
+    ASSERT_TRUE(recorded("next wind.on"));
+    const std::vector<std::string> all = commands();
+    EXPECT_THAT(std::vector(all.begin() + 2, all.end()),
+                ElementsAre("scene drop", "set contact.friction=0.7", "reset", "next wind.on"));
     quit();
 }
 

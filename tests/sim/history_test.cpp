@@ -263,6 +263,89 @@ TEST(History, OfASceneThatIsTooLargeIsEmptyAndGoingBackOnlyPauses) {
     EXPECT_EQ(traveller.session.timeline().now, 50);
 }
 
+TEST(History, GoesBackToTheStartOfARunHoweverLongAgo) {
+    Traveller traveller(small_simulation(), {.seconds = 0.5});
+    Session& session = traveller.session;
+    play_with(traveller);
+    constexpr std::int64_t start = 600;  // its reset
+    EXPECT_EQ(session.timeline().start, start);
+    session.send(parse_command("steer 0 1 0"));
+    traveller.run(2000);
+    session.send(parse_command("set contact.friction=0.9"));
+    traveller.run(2000);
+    const Timeline live = session.timeline();
+    ASSERT_GT(live.oldest, start + 2000);
+    EXPECT_FALSE(traveller.finds_again(live.oldest - 1)) << "nothing between is kept";
+    ASSERT_TRUE(traveller.finds_again(start));
+    EXPECT_EQ(session.timeline().oldest, start);
+    const auto play_until = [&](std::int64_t step) {
+        session.send(command::Pause{});
+        while (session.timeline().now < step) session.advance(session.simulation().settings().solver.dt, no_hurry);
+        return session.simulation().hash() == traveller.hashes[static_cast<std::size_t>(step)];
+    };
+    EXPECT_TRUE(play_until(live.newest));
+    EXPECT_EQ(session.timeline().oldest, live.oldest) << "as before";
+
+    ASSERT_TRUE(traveller.finds_again(start));
+    ASSERT_TRUE(play_until(start + 1000));
+    session.send(parse_command("set wind.on=true"));
+    EXPECT_EQ(session.timeline().newest, start + 1000) << "the user goes on from there";
+    traveller.hashes.resize(start + 1001);
+    traveller.run(500);
+    EXPECT_TRUE(traveller.finds_again(start + 700));
+    EXPECT_TRUE(traveller.finds_again(start + 1500));
+    session.send(parse_command("scene drop"));
+    EXPECT_EQ(session.timeline().start, start + 1500) << "another run";
+}
+
+// Watched in slow motion, in which a second is few steps
+TEST(History, KeepsSomeSecondsOfTheLargestScene) {
+    Settings settings = load_scene("large");
+    settings.view.speed = 0.02;
+    Session session(Simulation("large", std::move(settings)));
+    session.keep_history({});
+    const int steps_a_second = static_cast<int>(0.02 / session.simulation().settings().solver.dt);
+    make_steps(session, 12 * steps_a_second);
+    const Timeline timeline = session.timeline();
+    EXPECT_GE(timeline.newest - timeline.oldest, 5 * steps_a_second);
+    EXPECT_LE(timeline.bytes, HistoryLimits{}.bytes);
+}
+
+TEST(History, PlaysARecordingInTheMidstOfAnotherRun) {
+    const ScratchFile file("midst.txt");
+    Traveller recorded(shipped_simulation("drop", {"contact.friction=0.9", "ball.position=0.1,0,0"}));
+    recorded.session.record(file.name(), {"contact.friction=0.9", "ball.position=0.1,0,0"});
+    recorded.session.send(parse_command("steer 0 1 0"));
+    recorded.run(200);
+    recorded.session.send(parse_command("set wind.on=true"));
+    recorded.run(400);
+    recorded.session.close();
+
+    Session session(small_simulation());
+    session.keep_history({});
+    const ScratchFile both("both.txt");
+    session.record(both.name(), {});
+    make_steps(session, 137);
+    go_to(session, 100);
+    Recording recording = read_recording(file.name());
+    load_scene_first(recording);
+    session.send(command::Pause{});
+    session.replay(std::move(recording));
+    EXPECT_THAT(session.take_news(), ElementsAre(Field(&News::text, HasSubstr("forgotten"))));
+    const Timeline timeline = session.timeline();
+    EXPECT_TRUE(timeline.replay);
+    EXPECT_EQ(timeline.newest - timeline.replay_from, 600);
+    EXPECT_EQ(timeline.passed, 0);
+    ASSERT_TRUE(session.run_replay());
+    EXPECT_EQ(session.simulation().hash(), recorded.hashes.back());
+    EXPECT_EQ(session.replay_notice(), "") << "its hashes were those of the states";
+    go_to(session, session.timeline().start);
+    EXPECT_EQ(session.simulation().settings().contact.friction, Real(0.9)) << "the start of the run that was played";
+    EXPECT_FALSE(session.simulation().settings().wind.on);
+    session.close();
+    EXPECT_EQ(hash_of_replay(both.name()), recorded.hashes.back()) << "a recording has all of it";
+}
+
 TEST(History, FinishesItsWayBeforeACommand) {
     Traveller traveller(small_simulation());
     traveller.run(200);

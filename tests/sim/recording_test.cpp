@@ -1,12 +1,16 @@
 #include "drape/session/recording.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "support/input_errors.h"
 #include "support/process.h"
 #include "support/scratch_file.h"
+#include "support/scratch_folder.h"
 
 namespace drape {
 namespace {
@@ -99,6 +103,19 @@ TEST(Recording, WithADamagedLineIsReadUpToIt) {
     EXPECT_THAT(recording_of(head + "2 \x1b[31m\n").notice, HasSubstr("'\\x1b[31m'"));
     EXPECT_THAT(recording_of(head + "2 paus\n").notice, AllOf(HasSubstr("'pause'"), HasSubstr("line before")));
     EXPECT_THAT(recording_of(head + std::string(3'000'000, 'x') + "\n").notice, HasSubstr("too long"));
+}
+
+TEST(Recording, IsFoundInItsFolderByItsFirstLine) {
+    const ScratchFolder folder;
+    const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder.path() / name) << text; };
+    write("b.txt", "drape-recording 1\nscene drop\n0 end\n");
+    write("a", "drape-recording 1\n");
+    write("other.txt", "drape-recording 12\n");
+    write("empty", "");
+    std::filesystem::create_directory(folder.path() / "folder");
+    ASSERT_EQ(mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    EXPECT_THAT(recordings_in(folder.path()), ElementsAre("a", "b.txt"));
+    EXPECT_THAT(recordings_in(folder.path() / "nowhere"), testing::IsEmpty());
 }
 
 TEST(Recording, MayHaveALongListInALine) {

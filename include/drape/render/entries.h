@@ -31,6 +31,8 @@ enum class Manner {
     Fullscreen,
     Undo,  ///< of the last change of a setting
     Redo,
+    ReplayRun,   ///< from its start
+    ReplayFile,  ///< a recording, which its text names
 };
 
 /// One thing that the user can do: from these, keys, menu, help panel and the README's table are made.

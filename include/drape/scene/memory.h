@@ -11,9 +11,6 @@ namespace drape {
 /// About what a simulation takes, right within a factor of two or three [bytes]; pictures come on top.
 double memory_needed(const Settings& settings);
 
-/// What of it is for pairs of features where cloths meet themselves and each other [bytes].
-double bytes_of_pairs(const ContactSettings& contact, const Grid& grid);
-
 /// "22500 particles with projective_dynamics need about 117 MB".
 std::string memory_text(const Settings& settings);
 

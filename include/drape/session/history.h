@@ -65,6 +65,7 @@ public:
         double watched;          ///< [s]
         double bytes;            ///< about
         bool between;            ///< made on the way back, to go further back quickly
+        bool begins;             ///< the run
         Simulation simulation;
         std::optional<Comparison> comparison;
     };
@@ -74,8 +75,9 @@ public:
     /// Keeps this moment, if it is time for it.
     /// @param next_entry of the log
     /// @param length of a step, as it was watched [s]
+    /// @param begins it is the start of a run, which is kept for as long as that goes on
     void pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation,
-              const std::optional<Comparison>& comparison);
+              const std::optional<Comparison>& comparison, bool begins);
 
     /// Keeps a moment on the way back to an earlier step, where the moments before it lie far apart.
     /// @param target the step it goes back to
@@ -90,22 +92,34 @@ public:
     /// Forgets what came after a step.
     void forget_after(std::int64_t step);
 
-    void forget() { moments_.clear(); }
+    void forget() {
+        moments_.clear();
+        has_gap_ = false;
+    }
 
     /// The last moment that is not after a step; null: there is none
     [[nodiscard]] const Moment* before(std::int64_t step) const;
 
     [[nodiscard]] bool empty() const { return moments_.empty(); }
 
-    /// The first one. @pre there are any
-    [[nodiscard]] const Moment& oldest() const { return moments_.front(); }
+    /// The first one of all. @pre there are any
+    [[nodiscard]] const Moment& first() const { return moments_.front(); }
+
+    /// The first one from which on all of the time is kept. @pre there are any
+    [[nodiscard]] const Moment& oldest() const { return moments_[has_gap_ ? 1 : 0]; }
+
+    /// Where the run has begun; the first one of all where that is forgotten. @pre there are any
+    [[nodiscard]] const Moment& start() const;
 
     /// About, of memory.
     [[nodiscard]] double bytes() const;
 
 private:
+    void forget_oldest();
+
     HistoryLimits limits_;
     std::deque<Moment> moments_;  ///< by their steps
+    bool has_gap_ = false;        ///< after the first, which begins the run
     double watched_ = 0;          ///< until the newest step [s]
 };
 

@@ -38,6 +38,13 @@ Recording read_recording(const std::string& file);
 /// The same from a stream; `file` names it in messages.
 Recording read_recording(std::istream& in, const std::string& file);
 
+/// Puts commands before it that load its scene with its settings: for a session that has another one.
+void load_scene_first(Recording& recording);
+
+/// The names of the files in a folder that begin as recordings do, in their order. What cannot be read is none.
+/// @par Cost opens every file there
+std::vector<std::string> recordings_in(const std::filesystem::path& folder);
+
 /// Writes a recording line by line, so that a crash loses at most the last one. Until it is closed it is named
 /// "FILE.unfinished".
 class Recorder {

@@ -41,14 +41,14 @@ public:
     /// @throws RunError if it cannot be written
     void record(const std::string& file, const std::vector<std::string>& assignments, const std::string& snapshot = {});
 
-    /// Feeds the commands of a recording as their steps come.
+    /// Feeds the commands of a recording as their steps come, from now on. What lies ahead is forgotten.
     void replay(Recording recording);
 
     /// Keeps moments from now on, to go back to.
     void keep_history(HistoryLimits limits);
 
-    /// Goes to a step of the timeline, the nearest there is, and pauses. What has to be computed for it is computed by
-    /// `advance`. Nothing happens without a history.
+    /// Goes to a step of the timeline, or to where the run has begun, the nearest there is, and pauses. What has to be
+    /// computed for it is computed by `advance`. Nothing happens without a history.
     void go_to(std::int64_t step);
 
     [[nodiscard]] Timeline timeline() const;
@@ -139,8 +139,8 @@ private:
     void compare(const command::Compare& command);
     void compare_after(const Command& command);
     void take_over();
-    void begin_history();
-    void pass_moment();
+    void begin_run(bool is_reset);
+    void pass_moment(bool begins = false);
     void arrive();
     void start_swing();
     [[nodiscard]] bool is_redundant_release(const Command& command) const;
@@ -171,6 +171,8 @@ private:
     std::vector<Command> view_commands_;
     std::string replay_notice_;
     bool replay_differs_ = false;
+    std::int64_t replay_from_ = 0;  ///< step
+    double replay_from_time_ = 0;   ///< of `step_times_` [s]
     std::int64_t steps_made_ = 0;   ///< by this session; a reset does not set it back, but `go_to` does
     double start_time_;             ///< [s]
     StepTimes clock_;               ///< of the steps that `run_until` made

@@ -28,15 +28,17 @@ struct ClothView {
 
 /// Where a session stands between the steps that it can go back to and those it knows already.
 struct Timeline {
+    std::int64_t start = 0;   ///< where the run has begun, as far as it is kept: it can go back to there, too
     std::int64_t oldest = 0;  ///< that it can go back to
     std::int64_t now = 0;
-    std::int64_t newest = 0;  ///< of the run so far, or of the recording that is replayed
-    double passed = 0;        ///< simulated time since the session began, resets included [s]
-    double back = 0;          ///< from the present step to the newest; in a replay, as if no time step changed [s]
-    double kept = 0;          ///< from the oldest to the newest; likewise [s]
-    bool even = true;         ///< all steps that are kept have the same length
-    double bytes = 0;         ///< of memory that the past takes, about
-    bool replay = false;      ///< what lies ahead comes from a recording
+    std::int64_t newest = 0;       ///< of the run so far, or of the recording that is replayed
+    double passed = 0;             ///< simulated time since the session or its replay began, resets included [s]
+    double back = 0;               ///< from the present step to the newest; in a replay, as if no time step changed [s]
+    double kept = 0;               ///< from the oldest to the newest; likewise [s]
+    bool even = true;              ///< all steps that are kept have the same length
+    double bytes = 0;              ///< of memory that the past takes, about
+    bool replay = false;           ///< what lies ahead comes from a recording
+    std::int64_t replay_from = 0;  ///< step at which it began
 
     [[nodiscard]] bool is_live() const { return now == newest; }
 
