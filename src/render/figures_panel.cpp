@@ -142,7 +142,7 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
         rows.push_back({"tests saved", reason == "slow update" ? "none" : "none: " + reason, 3, ink::wait});
         return;
     }
-    const std::string text = format("%.3g %%", 100 * saved);
+    const std::string text = format("%.0f %%", std::floor(100 * saved));
     const bool shows_how = view.settings->view.bounds;
     if (view.search == nullptr) {
         rows.push_back({"tests saved", text + (shows_how ? " of " + grouped(all) : "; B shows how"), 3});
