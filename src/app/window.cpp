@@ -135,8 +135,8 @@ void Window::schedule() {
 void Window::on_display() {
     if (closed_ || !drawable()) return;
     show_drawn();
+    FrameView view = seen();
     const Stopwatch watch;
-    FrameView view = session_.view();
     view.timeline = session_.timeline();
     view.prefer_speed = draws_fast();
     draw(view);
@@ -166,8 +166,13 @@ void Window::show_drawn() {
     if (session_.simulation().settings().view.quality == PictureQuality::Auto) pace_.drew(prefer_speed, drawing_time_);
 }
 
-void Window::draw(FrameView view) {
+FrameView Window::seen() {
+    FrameView view = session_.view();
     if (view.settings->view.panel != PanelSize::Off) view.search = search_timer_.look(view);
+    return view;
+}
+
+void Window::draw(const FrameView& view) {
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
     for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
     if (view.mode != nullptr) texts.push_back(text_of(*view.mode, !(view.report->step_limit_ratio > 1)));

@@ -112,7 +112,8 @@ private:
     void reload_scene();
     void repeat_shot();
     void start_scene();
-    void draw(FrameView view);
+    FrameView seen();
+    void draw(const FrameView& view);
     void show_drawn();
     void take_picture();
     void schedule();

@@ -120,11 +120,11 @@ void Window::give(const Entry& entry) {
         steering_.release_all();
         std::erase_if(entries_, [](const Entry& old) { return old.manner == Manner::ReplayFile; });
         for (const std::string& file : recordings_in(".")) {
-            entries_.push_back({"Replay", {}, file, "", Manner::ReplayFile});
+            if (one_line(file) == file) entries_.push_back({"Replay", {}, file, "", Manner::ReplayFile});
         }
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
-    if (entry.manner == Manner::Fullscreen) return glutFullScreenToggle();
+    if (entry.manner == Manner::Fullscreen) return pointer_.forget(), glutFullScreenToggle();
     if (entry.manner == Manner::ReplayRun) return replay_run();
     if (entry.manner == Manner::ReplayFile) return replay_file(entry.text);
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
@@ -304,6 +304,8 @@ void Window::replay_file(const std::string& file) {
     try {
         Start start = make_start({.replay = file});
         load_scene_first(*start.replay);
+        pointer_.forget();
+        steering_.release_all();
         if (session_.simulation().paused()) carry_out(command::Pause{});
         session_.replay(*std::move(start.replay));
     } catch (const InputError& error) {
@@ -318,11 +320,11 @@ std::vector<Command> Window::safe_step() {
     return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
 }
 
-// By the user, who may take it back where it is one of a setting
+// By the user, who may take it back where it is one of a setting; what is seen is no part of the run
 bool Window::change(const Command& command, int press) {
     const Settings& settings = session_.simulation().settings();
     const std::string name(setting_of(command));
-    if (name.empty()) return carry_out(command);
+    if (name.empty() || !changes_motion(command)) return carry_out(command);
     std::vector<std::string> before = assignments_of(settings, name);
     if (!carry_out(command)) return false;
     undo_.changed(name, std::move(before), assignments_of(settings, name), press);
@@ -389,7 +391,7 @@ void Window::take_picture() {
     if (!drawable() || closed_) return;
     try {
         // The bar of time is no part of the picture, but a drag of it would end with a frame without it
-        FrameView view = session_.view();
+        FrameView view = seen();
         if (panel_button_) view.timeline = session_.timeline();
         draw(view);
         Image picture = renderer_->read_back();

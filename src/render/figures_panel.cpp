@@ -109,24 +109,10 @@ double tests_of_brute_force(const FrameView& view) {
     return cells * static_cast<double>(view.balls.size());
 }
 
-// Whether a ball can have most of a cloth near it: its diameter is more than half of the cloth's shorter side
-bool has_large_ball(const FrameView& view) {
-    const auto is_large = [](const Ball& ball, const ClothModel& model) {
-        const Real width = model.hx * static_cast<Real>(model.grid.cell_columns());
-        const Real height = model.hy * static_cast<Real>(model.grid.cell_rows());
-        return 4 * ball.radius > std::min(width, height);
-    };
-    return std::ranges::any_of(view.cloths, [&](const ClothView& cloth) {
-        return std::ranges::any_of(view.balls, [&](const Ball& ball) { return is_large(ball, cloth.model); });
-    });
-}
-
-// Why the hierarchy saves nothing. Where it leaves more than half of the cells that brute force tests, no update,
-// however cheap, saves much
-std::string slow_reason(const FrameView& view) {
-    const auto left = static_cast<double>(view.report->traversal.candidates);
-    if (2 * left <= tests_of_brute_force(view)) return "slow update";
-    return has_large_ball(view) ? "large ball" : "loose tree";
+// Whether the search for balls leaves more than half of the cells that brute force tests: then no update, however
+// cheap, saves much
+bool most_is_near(const FrameView& view) {
+    return 2 * static_cast<double>(view.report->traversal.candidates) > tests_of_brute_force(view);
 }
 
 // What it saves of the tests that brute force makes, and whether of its time too, where that was measured. Where a
@@ -138,8 +124,7 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr && (all == 0 || made == 0)) return;
     const double saved = view.search != nullptr ? view.search->tests_saved() : 1 - made / all;
     if (saved < 0.05) {
-        const std::string reason = slow_reason(view);
-        rows.push_back({"tests saved", reason == "slow update" ? "none" : "none: " + reason, 3, ink::wait});
+        rows.push_back({"tests saved", most_is_near(view) ? "none: most is near" : "none", 3, ink::wait});
         return;
     }
     const std::string text = format("%.0f %%", std::floor(100 * saved));
@@ -147,7 +132,8 @@ void add_saved_row(const FrameView& view, std::vector<Row>& rows) {
     if (view.search == nullptr) {
         rows.push_back({"tests saved", text + (shows_how ? " of " + grouped(all) : "; B shows how"), 3});
     } else if (view.search->saves_time()) {
-        const std::string times = format(", %.2gx as fast", view.search->speed_up());
+        const double speed_up = view.search->speed_up();
+        const std::string times = format(speed_up < 10 ? ", %.1fx as fast" : ", %.0fx as fast", speed_up);
         rows.push_back({"tests saved", text + times + (shows_how ? "" : " (B)"), 3, ink::good});
     } else {
         rows.push_back({"tests saved", text + ", but no time", 3, ink::wait});
@@ -163,8 +149,7 @@ void add_search_rows(const FrameView& view, std::vector<Row>& rows) {
     rows.push_back({"search, in all", time_text(1e6 * search.hierarchy), 2});
     rows.push_back({"by brute force", time_text(1e6 * search.brute_force), 2});
     if (search.saves_time()) return;
-    const bool large_ball = slow_reason(view) == "large ball";
-    rows.push_back({"to save time", large_ball ? "9: a larger sheet" : "U: update, T: volume", 2, ink::wait});
+    rows.push_back({"to save time", most_is_near(view) ? "9: a larger sheet" : "U: update, T: volume", 2, ink::wait});
 }
 
 // What stands above the figures of a group

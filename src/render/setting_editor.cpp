@@ -12,8 +12,8 @@ namespace drape {
 
 namespace {
 
-constexpr double decades = 100;  // of a slider to both sides
-constexpr double narrow = 25;    // up to which a slider from 0 on is even
+constexpr double span = 10;    // of a slider to both sides: more is typed
+constexpr double narrow = 25;  // up to which a slider from 0 on is even
 
 // "%.4g N/m"
 std::string number_format(const Setting& setting) { return "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit); }
@@ -57,7 +57,7 @@ SliderScale slider_scale(const Setting& setting, double scene_value) {
     if (scene_value == 0) return {std::max(range.low, 0.0), std::min(range.high, 1.0), false};
     const bool is_narrow = range.low == 0 && range.high <= narrow * scene_value;
     if (is_narrow) return {range.low, range.high, false};
-    return {std::max(range.low, scene_value / decades), std::min(range.high, scene_value * decades), true};
+    return {std::max(range.low, scene_value / span), std::min(range.high, scene_value * span), true};
 }
 
 SettingRow make_setting_row(const Setting& setting, std::size_t number, const Settings& settings,

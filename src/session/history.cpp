@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 namespace drape {
 namespace {
@@ -40,19 +39,19 @@ void History::pass(std::int64_t step, std::size_t next_entry, double length, con
     const double apart = std::clamp(limits_.seconds / std::max(gaps - 1, 1.0), nearest, farthest);  // one is the start
     if (!begins && !moments_.empty() && watched_ < moments_.back().watched + apart) return;
     forget_between();
-    if (begins) {
-        if (std::exchange(has_gap_, false)) moments_.pop_front();  // the start of the run before
-        for (Moment& moment : moments_) moment.begins = false;
-        if (!moments_.empty() && moments_.back().step == step) moments_.pop_back();
-    }
-    moments_.push_back({step, next_entry, watched_, added, false, begins, simulation, comparison});
-    const auto next = [&] { return static_cast<std::size_t>(moments_.front().begins); };
+    if (begins && !moments_.empty() && moments_.back().step == step) moments_.pop_back();
+    // Of two, the start is forgotten too: else there would be no way back
+    moments_.push_back({step, next_entry, watched_, added, false, begins && gaps >= 2, simulation, comparison});
     while (moments_.size() > 2 && bytes() > room) forget_oldest();
-    while (moments_.size() > next() + 2 && moments_[next() + 1].watched < watched_ - limits_.seconds) forget_oldest();
+    const auto next = [&] { return moments_[keeps_first() ? 2 : 1].watched; };
+    while (moments_.size() > 3 && next() < watched_ - limits_.seconds) forget_oldest();
 }
 
+/// It is where the run begins of which the next moment is.
+bool History::keeps_first() const { return moments_.front().begins && !moments_[1].begins; }
+
 void History::forget_oldest() {
-    has_gap_ = moments_.front().begins;
+    has_gap_ = keeps_first();
     moments_.erase(moments_.begin() + (has_gap_ ? 1 : 0));
 }
 
@@ -80,9 +79,17 @@ double History::bytes() const {
     return sum;
 }
 
-const History::Moment& History::start() const {
-    const auto found = std::ranges::find(moments_, true, &Moment::begins);
-    return found == moments_.end() ? moments_.front() : *found;
+const History::Moment& History::oldest() const {
+    if (!has_gap_) return moments_.front();
+    return *std::find_if(std::next(moments_.begin()), moments_.end(), [](const Moment& one) { return !one.between; });
+}
+
+const History::Moment& History::start(std::int64_t step) const {
+    const Moment* found = &moments_.front();
+    for (const Moment& moment : moments_) {
+        if (moment.begins && moment.step <= step) found = &moment;
+    }
+    return *found;
 }
 
 const History::Moment* History::before(std::int64_t step) const {

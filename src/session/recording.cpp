@@ -6,6 +6,8 @@
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
+#include "drape/scene/scene.h"
+#include "drape/sim/simulation.h"
 
 namespace drape {
 namespace {
@@ -88,9 +90,22 @@ Recording read_recording(std::istream& in, const std::string& file) {
 
 void load_scene_first(Recording& recording) {
     std::vector<RecordedEntry> first{{0, command::LoadScene{recording.scene}, Recording::first_assignment - 1}};
-    for (const std::string& assignment : recording.assignments) {
-        first.push_back({0, command::Set{assignment}, first.back().line + 1});
+    Simulation probe(recording.scene, load_scene(recording.scene));
+    std::vector<std::string> left = recording.assignments;
+    // One that is allowed after another only comes after it
+    for (std::size_t before = 0; left.size() != before;) {
+        before = left.size();
+        std::erase_if(left, [&](const std::string& assignment) {
+            try {
+                probe.apply(command::Set{assignment});
+            } catch (const InputError&) {
+                return false;
+            }
+            first.push_back({0, command::Set{assignment}, first.back().line + 1});
+            return true;
+        });
     }
+    if (!left.empty()) probe.apply(command::Set{left.front()});
     first.push_back({0, command::Reset{}, first.back().line});
     recording.entries.insert(recording.entries.begin(), first.begin(), first.end());
 }
@@ -100,6 +115,7 @@ std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
     std::error_code refused;
     std::string line;
     for (std::filesystem::directory_iterator file(folder, refused), end; file != end; file.increment(refused)) {
+        if (!file->is_regular_file(refused)) continue;
         try {
             InputFile in(file->path().string(), largest_recording, InputKind::Regular);
             const bool begins = read_line(in, line, first_line.size()) == LineEnd::Whole && line == first_line;

@@ -14,10 +14,11 @@ namespace {
 
 constexpr double interval = 1;  // s between two comparisons
 constexpr int repetitions = 3;
+constexpr std::size_t kept = 5;
 constexpr double enough = 0.002;  // s after which a search is not repeated, so that the window hardly waits
 
 /// Pairs of cells of all cloths that brute force may test here: more of them would hold up the window.
-constexpr double most_pairs = 1e7;
+constexpr double most_pairs = 5e6;
 
 bool searches_pairs(const FrameView& view) {
     double cells = 0;
@@ -44,14 +45,12 @@ double least_time(Run run) {
     return least;
 }
 
-/// What a search finds, and by how many tests.
+/// What a search finds, and what it costs.
 struct Found {
     std::vector<ContactRow> contacts;
     std::size_t pairs = 0;
-    double tests = 0;
-    void add(const TraversalStats& traversal) {
-        tests += static_cast<double>(traversal.volume_tests + traversal.candidates);
-    }
+    TraversalStats traversal;
+    [[nodiscard]] double tests() const { return static_cast<double>(traversal.volume_tests + traversal.candidates); }
 };
 
 /// What it takes to search all cloths for all balls [s].
@@ -70,7 +69,7 @@ double ball_search_time(const FrameView& view, const BroadPhaseParameters& param
             searches[c].build(cloth, contact);
             for (std::size_t b = 0; b < view.balls.size(); ++b) {
                 const Body ball = body_of(view.balls[b], contact);
-                found.add(searches[c].traverse(ball, b, contact.thickness));
+                found.traversal += searches[c].traverse(ball, b, contact.thickness);
                 searches[c].narrow(cloth, ball, b, contact.thickness, 0, found.contacts);
             }
         }
@@ -92,7 +91,7 @@ double pair_search_time(const FrameView& view, const BroadPhaseParameters& param
         search.find(cloths, response_of(*view.settings).pair_thickness);
     });
     found.pairs = search.pairs().size();
-    found.add(search.report().traversal);
+    found.traversal += search.report().traversal;
     return time;
 }
 
@@ -104,25 +103,36 @@ double search_time(const FrameView& view, const BroadPhaseParameters& parameters
 }  // namespace
 
 const SearchTimes* SearchTimer::look(const FrameView& view) {
-    if (!watch_ || watch_->seconds() >= interval) {
-        times_ = measure(view);
+    const StepReport& report = *view.report;
+    if (view.scene != scene_ || view.settings->contact != contact_) {
+        last_.clear(), watch_.reset();
+        scene_ = view.scene, contact_ = view.settings->contact;
+    }
+    if (!watch_ || (report.step != step_ && !report.asleep && watch_->seconds() >= interval)) {
+        if (const auto times = measure(view)) last_.push_back(*times);
+        if (last_.size() > kept) last_.pop_front();
+        step_ = report.step;
         watch_.emplace();
     }
-    return times_ ? &*times_ : nullptr;
+    if (last_.empty()) return nullptr;
+    std::vector<SearchTimes> sorted(last_.begin(), last_.end());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end(),
+                     [](const SearchTimes& a, const SearchTimes& b) { return a.speed_up() < b.speed_up(); });
+    median_ = *middle;
+    return &median_;
 }
 
 std::optional<SearchTimes> SearchTimer::measure(const FrameView& view) {
     BroadPhaseParameters parameters = broad_phase_of(*view.settings);
     if (!can_compare(view, parameters)) return std::nullopt;
     Found by_hierarchy, by_brute_force;
-    SearchTimes times{.hierarchy = search_time(view, parameters, by_hierarchy)};
+    const double hierarchy = search_time(view, parameters, by_hierarchy);
     parameters.volume = VolumeKind::Brute;
-    times.brute_force = search_time(view, parameters, by_brute_force);
+    const double brute_force = search_time(view, parameters, by_brute_force);
     DRAPE_ASSERT(by_hierarchy.contacts.size() == by_brute_force.contacts.size());
     DRAPE_ASSERT(by_hierarchy.pairs == by_brute_force.pairs);
-    times.tests = by_hierarchy.tests;
-    times.tests_of_brute_force = by_brute_force.tests;
-    return times;
+    return SearchTimes{hierarchy, brute_force, by_hierarchy.tests(), by_brute_force.tests()};
 }
 
 }  // namespace drape

@@ -64,7 +64,7 @@ void Session::replay(Recording recording) {
 
 void Session::keep_history(HistoryLimits limits) {
     history_.emplace(limits);
-    begin_run(false);
+    pass_moment(true);
 }
 
 void Session::send(const Command& command) {
@@ -85,7 +85,7 @@ void Session::send(const Command& command) {
         log_.push_back({steps_made_, command});
         next_entry_ = end_of_log();
     }
-    if (begins_again(command)) begin_run(std::holds_alternative<command::Reset>(command));
+    begin_run(command);
 }
 
 void Session::carry_out(const Command& command, bool is_new) {
@@ -107,8 +107,9 @@ void Session::carry_out(const Command& command, bool is_new) {
 }
 
 /// There is no way back from here, but from a reset.
-void Session::begin_run(bool is_reset) {
-    if (!is_reset) {
+void Session::begin_run(const Command& command) {
+    if (!history_ || !begins_again(command)) return;
+    if (!std::holds_alternative<command::Reset>(command)) {
         history_->forget();
         idle_from_.reset();
     }
@@ -191,7 +192,7 @@ Timeline Session::timeline() const {
     const std::int64_t oldest = is_in_gap ? history_->first().step : has_past ? history_->oldest().step : steps_made_;
     const std::int64_t now = target_.value_or(std::min(steps_made_, newest));
     const double kept = step_times_.at(newest) - step_times_.at(oldest);
-    return {.start = has_past ? history_->start().step : steps_made_,
+    return {.start = has_past ? history_->start(steps_made_).step : steps_made_,
             .oldest = oldest,
             .now = now,
             .newest = newest,
@@ -241,7 +242,7 @@ void Session::play_due_entries(bool is_new) {
 
 void Session::play(const RecordedEntry& entry, bool is_new) {
     if (const auto* hash = std::get_if<std::uint64_t>(&entry.content)) {
-        if (*hash != simulation_.hash()) differ("first seen before step " + std::to_string(entry.step));
+        if (*hash != simulation_.hash()) differ("first seen before step " + std::to_string(entry.step - replay_from_));
         return;
     }
     const Command& command = std::get<Command>(entry.content);
@@ -259,7 +260,7 @@ void Session::play(const RecordedEntry& entry, bool is_new) {
                "' is refused: " + error.what());
         return;
     }
-    if (history_ && is_new && begins_again(command)) begin_run(std::holds_alternative<command::Reset>(command));
+    if (is_new) begin_run(command);
     const bool is_seen = !changes_state(command) || begins_again(command);
     if (is_new && is_seen) view_commands_.push_back(command);
 }

@@ -33,11 +33,11 @@ public:
         }
     }
 
-    /// Whether figures of the panel that depend on the machine are all: FPS, and two rows below what a search takes. A
-    /// few pixels at edges may differ.
+    /// Whether rows of the panel that depend on the machine are all: FPS, and two below what a search takes. A few
+    /// pixels at edges may differ.
     [[nodiscard]] bool is_only_speed() const {
-        constexpr int most_outside = 30, figure_width = 115, figures_height = 42;
-        return outside_ <= most_outside && right_ - left_ <= figure_width && bottom_ - top_ <= figures_height;
+        constexpr int most_outside = 30, rows_width = 205, rows_height = 42;
+        return outside_ <= most_outside && right_ - left_ <= rows_width && bottom_ - top_ <= rows_height;
     }
 
     [[nodiscard]] std::string text() const {

@@ -121,7 +121,7 @@ public:
                 good = simulation.report().status == Status::Ok;
                 if (!tally.look(simulation)) {
                     fail("CROSSED:");
-                    break;
+                    good = false;
                 }
             }
             played += now - start;

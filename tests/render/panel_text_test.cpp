@@ -62,9 +62,11 @@ TEST_F(PanelText, SaysInOneLineWhetherTheTreeSavesTestsAndTime) {
                               HasSubstr("search, in all 26.0 us"), HasSubstr("by brute force 11.0 us\n"),
                               HasSubstr("to save time U: update")));
     search_->brute_force = 52e-6;
-    EXPECT_THAT(text(), AllOf(HasSubstr("tests saved 94 %, 2x as fast\n"), Not(HasSubstr("to save time"))));
+    EXPECT_THAT(text(), AllOf(HasSubstr("tests saved 94 %, 2.0x as fast\n"), Not(HasSubstr("to save time"))));
     settings_.view = {.panel = PanelSize::Compact};
-    EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 2x as fast (B)"));
+    EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 2.0x as fast (B)"));
+    search_->brute_force = 4.4e-3;
+    EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 169x as fast (B)"));
 }
 
 TEST_F(PanelText, HasNoTimesOfWhatASleepingSceneDoesNotDo) {

@@ -38,6 +38,15 @@ TEST(SearchTimer, CountsClothOnClothWhereThatIsSearchedFor) {
     EXPECT_EQ(without.tests_of_brute_force, cells);
 }
 
+TEST(SearchTimer, IsSteadyWhereNothingMovesAndForgetsOtherSettings) {
+    SearchTimer timer;
+    Simulation simulation = touching_simulation();
+    const double once = timer.look(simulation.view(1))->speed_up();
+    for (int look = 0; look < 3; ++look) EXPECT_EQ(timer.look(simulation.view(1))->speed_up(), once);
+    simulation.apply(parse_command("set contact.self=true"));
+    EXPECT_GT(timer.look(simulation.view(1))->tests_of_brute_force, simulation.cloths()[0].model.grid.cells());
+}
+
 TEST(SearchTimer, SaysNothingWhereThereIsNothingToCompare) {
     SearchTimer timer;
     for (const char* assignment :

@@ -106,15 +106,16 @@ public:
     [[nodiscard]] const Moment& first() const { return moments_.front(); }
 
     /// The first one from which on all of the time is kept. @pre there are any
-    [[nodiscard]] const Moment& oldest() const { return moments_[has_gap_ ? 1 : 0]; }
+    [[nodiscard]] const Moment& oldest() const;
 
-    /// Where the run has begun; the first one of all where that is forgotten. @pre there are any
-    [[nodiscard]] const Moment& start() const;
+    /// Where the run of a step has begun; the first one of all where that is forgotten. @pre there are any
+    [[nodiscard]] const Moment& start(std::int64_t step) const;
 
     /// About, of memory.
     [[nodiscard]] double bytes() const;
 
 private:
+    [[nodiscard]] bool keeps_first() const;
     void forget_oldest();
 
     HistoryLimits limits_;

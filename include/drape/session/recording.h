@@ -39,6 +39,7 @@ Recording read_recording(const std::string& file);
 Recording read_recording(std::istream& in, const std::string& file);
 
 /// Puts commands before it that load its scene with its settings: for a session that has another one.
+/// @throws InputError if they cannot be set one after the other
 void load_scene_first(Recording& recording);
 
 /// The names of the files in a folder that begin as recordings do, in their order. What cannot be read is none.

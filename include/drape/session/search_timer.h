@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <optional>
+#include <string>
 
 #include "drape/base/stopwatch.h"
 #include "drape/sim/frame_view.h"
@@ -8,10 +11,11 @@
 namespace drape {
 
 /// Compares the hierarchy with brute force now and then, on the state that is shown and with hierarchies of its own:
-/// the simulation does not notice. For the window alone, since it costs a test of every cell.
+/// the simulation does not notice. For the window alone, since it costs all tests of brute force.
 class SearchTimer {
 public:
-    /// The latest comparison, made again where a second has passed; null where none can be made.
+    /// The median of the last five comparisons of a scene; the next is made where a second has passed and something has
+    /// moved. Null where none can be made.
     const SearchTimes* look(const FrameView& view);
 
     /// Searches every cloth for every ball, and for cloth near cloth where `contact.self` is on and there are few
@@ -23,7 +27,11 @@ public:
 
 private:
     std::optional<Stopwatch> watch_;  ///< since the last comparison
-    std::optional<SearchTimes> times_;
+    std::deque<SearchTimes> last_;
+    SearchTimes median_;       ///< of them
+    std::string scene_;        ///< that they are of
+    ContactSettings contact_;  ///< with which they were made
+    std::int64_t step_ = -1;   ///< of the last comparison
 };
 
 }  // namespace drape

@@ -47,8 +47,8 @@ public:
     /// Keeps moments from now on, to go back to.
     void keep_history(HistoryLimits limits);
 
-    /// Goes to a step of the timeline, or to where the run has begun, the nearest there is, and pauses. What has to be
-    /// computed for it is computed by `advance`. Nothing happens without a history.
+    /// Goes to where the run has begun, or to the nearest step of the timeline, and pauses. What has to be computed for
+    /// it is computed by `advance`. Nothing happens without a history.
     void go_to(std::int64_t step);
 
     [[nodiscard]] Timeline timeline() const;
@@ -139,7 +139,7 @@ private:
     void compare(const command::Compare& command);
     void compare_after(const Command& command);
     void take_over();
-    void begin_run(bool is_reset);
+    void begin_run(const Command& command);
     void pass_moment(bool begins = false);
     void arrive();
     void start_swing();
