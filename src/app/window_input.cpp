@@ -332,13 +332,10 @@ bool Window::change(const Command& command, int press) {
 }
 
 void Window::undo(bool again) {
-    const Settings& settings = session_.simulation().settings();
     std::string outcome;
-    for (const std::string& assignment : undo_.next(again, settings)) {
+    for (const std::string& assignment : undo_.next(again, session_.simulation().settings())) {
         if (!carry_out(command::Set{assignment})) return;
-        const std::size_t equals = assignment.find('=');
-        outcome += (outcome.empty() ? "" : ", ") + assignment.substr(0, equals) + " = " +
-                   shortened(assignment.substr(equals + 1));
+        outcome += (outcome.empty() ? "" : ", ") + shortened(assignment);
     }
     notices_.add("outcome", outcome.empty()
                                 ? "No change of a setting is left to " + std::string(again ? "redo" : "undo")

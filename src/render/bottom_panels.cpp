@@ -20,7 +20,7 @@ static_assert(std::ranges::all_of(plots,
 std::string short_number(double value) { return format(std::abs(value) < 1000 ? "%.3g" : "%.0f", value); }
 
 // What the bar says of where the run stands
-std::string line_of(const Timeline& timeline) {
+std::string line_of(const Timeline& timeline, bool paused) {
     const double megabytes = timeline.bytes / 1e6;
     if (timeline.replay) {
         // What lies ahead may change the time step: nobody knows yet how long it takes
@@ -32,7 +32,8 @@ std::string line_of(const Timeline& timeline) {
     if (timeline.is_live()) {
         return format("Now; the comma key steps back, %.2f s are kept (%.0f MB)", timeline.kept, megabytes);
     }
-    return format("%.3f s back of %.2f s (%.0f MB); Space plays from here", timeline.back, timeline.kept, megabytes);
+    return format("%.3f s back of %.2f s (%.0f MB); %s", timeline.back, timeline.kept, megabytes,
+                  paused ? "Space plays from here" : "played again");
 }
 
 }  // namespace
@@ -108,7 +109,8 @@ PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::opt
     const float left = (page.width - width) / 2, bottom = page.height - page.margin;
     const PanelBox box{left, bottom - (too_large ? 1.8f : 2.9f) * size, left + width, bottom};
     const bool shown = begin_window(box, "timeline", ImGuiWindowFlags_NoDecoration, 0);
-    text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait, line_of(timeline));
+    text_at({box.left + pad, box.top + 0.3f * size}, timeline.is_live() ? ink::text : ink::wait,
+            line_of(timeline, view.paused));
     if (shown && !too_large) {
         const float from = box.left + pad, to = box.right - pad;
         const float middle = box.top + 2.2f * size;

@@ -118,6 +118,10 @@ std::vector<std::string> notes(const FrameView& view) {
     const std::string all_levels = build > 0 ? format("; build of all levels: %.0f us", build) : "";
     std::vector<std::string> lines{"tightness: mean radius / least possible radius",
                                    "fit: one level by itself" + all_levels};
+    if (const SearchTimes* all = view.search) {
+        lines.push_back(format("all that is searched for: %.0f of the %.0f tests of brute force, %.1f times as fast",
+                               all->tests, all->tests_of_brute_force, all->speed_up()));
+    }
     if (view.balls.size() > 1) lines.push_back(format("%zu balls: each node counts once", view.balls.size()));
     if (const TraversalStats& pairs = view.pair_search; pairs.visited > 0) {
         lines.push_back("for this picture: " + std::to_string(pairs.volume_tests) + " pairs of nodes tested, " +

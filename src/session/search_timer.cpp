@@ -13,9 +13,8 @@ namespace drape {
 namespace {
 
 constexpr double interval = 1;  // s between two comparisons
-constexpr int repetitions = 3;
 constexpr std::size_t kept = 5;
-constexpr double enough = 0.002;  // s after which a search is not repeated, so that the window hardly waits
+constexpr double enough = 0.002;  // s for which a search is repeated
 
 /// Pairs of cells of all cloths that brute force may test here: more of them would hold up the window.
 constexpr double most_pairs = 5e6;
@@ -37,11 +36,11 @@ template <class Run>
 double least_time(Run run) {
     double least = std::numeric_limits<double>::infinity();
     const Stopwatch all;
-    for (int done = 0; done == 0 || (done < repetitions && all.seconds() < enough); ++done) {
+    do {
         const Stopwatch watch;
         run();
         least = std::min(least, watch.seconds());
-    }
+    } while (all.seconds() < enough);
     return least;
 }
 

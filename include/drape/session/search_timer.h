@@ -19,7 +19,7 @@ public:
     const SearchTimes* look(const FrameView& view);
 
     /// Searches every cloth for every ball, and for cloth near cloth where `contact.self` is on and there are few
-    /// enough cells to pair them all, both ways, up to three times, of which the fastest counts. What is near is found
+    /// enough cells to pair them all, both ways, and takes the fastest of some runs. What is near is found
     /// from nothing, where a simulation keeps a list of it for some steps.
     /// @return nothing without anything to search for or a hierarchy, under a limit of the search, and for an update
     /// that depends on the steps before (refit, none): what that costs shows in a run only
