@@ -119,8 +119,8 @@ std::vector<std::string> notes(const FrameView& view) {
     std::vector<std::string> lines{"tightness: mean radius / least possible radius",
                                    "fit: one level by itself" + all_levels};
     if (const SearchTimes* all = view.search) {
-        lines.push_back(format("all that is searched for: %.0f of the %.0f tests of brute force, %.1f times as fast",
-                               all->tests, all->tests_of_brute_force, all->speed_up()));
+        lines.push_back(format("in all: %.0f tests, by brute force %.0f; %.1fx as fast", all->tests,
+                               all->tests_of_brute_force, all->speed_up()));
     }
     if (view.balls.size() > 1) lines.push_back(format("%zu balls: each node counts once", view.balls.size()));
     if (const TraversalStats& pairs = view.pair_search; pairs.visited > 0) {

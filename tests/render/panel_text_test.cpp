@@ -63,7 +63,7 @@ TEST_F(PanelText, SaysInOneLineWhetherTheTreeSavesTestsAndTime) {
                               HasSubstr("to save time U: update")));
     search_->brute_force = 52e-6;
     EXPECT_THAT(text(), AllOf(HasSubstr("tests saved 94 %, 2.0x as fast\n"), Not(HasSubstr("to save time"))));
-    EXPECT_THAT(text(), HasSubstr("searched for: 101 of the 2000 tests of brute force, 2.0 times as fast")) << "B";
+    EXPECT_THAT(text(), HasSubstr("in all: 101 tests, by brute force 2000; 2.0x as fast")) << "B";
     settings_.view = {.panel = PanelSize::Compact};
     EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 2.0x as fast (B)"));
     search_->brute_force = 4.4e-3;
