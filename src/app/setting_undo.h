@@ -17,7 +17,8 @@ public:
 
     /// A setting was changed.
     /// @param name with the number of the ball if it is one of several
-    /// @param press of the button, by its number, where it is still the same drag: that is one change; 0: by no button
+    /// @param press of the button that led to it, by its number: what one press does to one setting is one change; 0:
+    /// no button did
     void changed(const std::string& name, Assignments before, Assignments after, int press) {
         if (before == after) return;
         changes_.resize(done_);

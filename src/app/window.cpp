@@ -6,6 +6,7 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "display.h"
@@ -179,6 +180,23 @@ void Window::draw(const FrameView& view) {
     if (!scene_error_.empty()) texts.push_back(scene_error_);
     renderer_->draw(view, shown_, texts);
     drawn_step_ = view.report->step;
+}
+
+void Window::take_picture() {
+    if (!drawable() || closed_) return;
+    try {
+        // The bar of time is no part of the picture, but a drag of it would end with a frame without it
+        FrameView view = seen();
+        if (panel_button_) view.timeline = session_.timeline();
+        draw(view);
+        Image picture = renderer_->read_back();
+        picture.texts = picture_texts(session_.simulation());
+        std::filesystem::path file = first_free_name(".png");
+        while (!write_png(picture, file, true)) file = first_free_name(".png");  // somebody was faster
+        notices_.add("picture", "Picture written: " + file.string());
+    } catch (const RunError& error) {
+        notices_.add("picture", error.what());
+    }
 }
 
 void Window::steer(double elapsed) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "display.h"
@@ -124,7 +123,10 @@ void Window::give(const Entry& entry) {
         }
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
-    if (entry.manner == Manner::Fullscreen) return pointer_.forget(), glutFullScreenToggle();
+    if (entry.manner == Manner::Fullscreen) {
+        pointer_.forget();
+        return glutFullScreenToggle();
+    }
     if (entry.manner == Manner::ReplayRun) return replay_run();
     if (entry.manner == Manner::ReplayFile) return replay_file(entry.text);
     if (entry.manner == Manner::StepBack) return go_to(session_.timeline().now - 1);
@@ -382,23 +384,6 @@ void Window::follow(const Command& command) {
     scene_clock_ = {};
     unshown_.reset();  // a picture of what was before
     dirty_ = true;
-}
-
-void Window::take_picture() {
-    if (!drawable() || closed_) return;
-    try {
-        // The bar of time is no part of the picture, but a drag of it would end with a frame without it
-        FrameView view = seen();
-        if (panel_button_) view.timeline = session_.timeline();
-        draw(view);
-        Image picture = renderer_->read_back();
-        picture.texts = picture_texts(session_.simulation());
-        std::filesystem::path file = first_free_name(".png");
-        while (!write_png(picture, file, true)) file = first_free_name(".png");  // somebody was faster
-        notices_.add("picture", "Picture written: " + file.string());
-    } catch (const RunError& error) {
-        notices_.add("picture", error.what());
-    }
 }
 
 }  // namespace drape

@@ -17,12 +17,12 @@ constexpr std::size_t kept = 5;
 constexpr double enough = 0.002;  // s for which a search is repeated
 
 /// Pairs of cells of all cloths that brute force may test here: more of them would hold up the window.
-constexpr double most_pairs = 5e6;
+constexpr double max_pairs = 5e6;
 
 bool searches_pairs(const FrameView& view) {
     double cells = 0;
     for (const ClothView& cloth : view.cloths) cells += cloth.model.grid.cells();
-    return view.settings->contact.self && cells * cells / 2 <= most_pairs;
+    return view.settings->contact.self && cells * cells / 2 <= max_pairs;
 }
 
 bool can_compare(const FrameView& view, const BroadPhaseParameters& parameters) {
@@ -33,15 +33,15 @@ bool can_compare(const FrameView& view, const BroadPhaseParameters& parameters) 
 
 /// The shortest of some runs [s].
 template <class Run>
-double least_time(Run run) {
-    double least = std::numeric_limits<double>::infinity();
+double shortest_time(Run run) {
+    double shortest = std::numeric_limits<double>::infinity();
     const Stopwatch all;
     do {
         const Stopwatch watch;
         run();
-        least = std::min(least, watch.seconds());
+        shortest = std::min(shortest, watch.seconds());
     } while (all.seconds() < enough);
-    return least;
+    return shortest;
 }
 
 /// What a search finds, and what it costs.
@@ -60,7 +60,7 @@ double ball_search_time(const FrameView& view, const BroadPhaseParameters& param
     for (std::size_t c = 0; c < searches.size(); ++c) {
         searches[c].use(parameters, view.cloths[c].model.grid, view.cloths[c].x);
     }
-    return least_time([&] {
+    return shortest_time([&] {
         found = {};
         for (std::size_t c = 0; c < searches.size(); ++c) {
             const Points& x = view.cloths[c].x;
@@ -85,7 +85,7 @@ double pair_search_time(const FrameView& view, const BroadPhaseParameters& param
     }
     SelfSearch search;
     search.use(parameters, cloths);
-    const double time = least_time([&] {
+    const double time = shortest_time([&] {
         search.forget();
         search.find(cloths, response_of(*view.settings).pair_thickness);
     });
@@ -99,27 +99,30 @@ double search_time(const FrameView& view, const BroadPhaseParameters& parameters
     return searches_pairs(view) ? balls + pair_search_time(view, parameters, found) : balls;
 }
 
+/// The one whose ratio is in the middle.
+SearchTimes median_of(std::vector<SearchTimes> times) {
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::nth_element(times.begin(), middle, times.end(),
+                     [](const SearchTimes& a, const SearchTimes& b) { return a.speed_up() < b.speed_up(); });
+    return *middle;
+}
+
 }  // namespace
 
 const SearchTimes* SearchTimer::look(const FrameView& view) {
     const StepReport& report = *view.report;
-    if (view.scene != scene_ || view.settings->contact != contact_) {
+    if (view.scene != scene_ || view.settings->contact != contact_ || report.step < step_) {
         last_.clear(), watch_.reset();
         scene_ = view.scene, contact_ = view.settings->contact;
     }
     if (!watch_ || (report.step != step_ && !report.asleep && watch_->seconds() >= interval)) {
         if (const auto times = measure(view)) last_.push_back(*times);
         if (last_.size() > kept) last_.pop_front();
+        if (!last_.empty()) median_ = median_of({last_.begin(), last_.end()});
         step_ = report.step;
         watch_.emplace();
     }
-    if (last_.empty()) return nullptr;
-    std::vector<SearchTimes> sorted(last_.begin(), last_.end());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end(),
-                     [](const SearchTimes& a, const SearchTimes& b) { return a.speed_up() < b.speed_up(); });
-    median_ = *middle;
-    return &median_;
+    return last_.empty() ? nullptr : &median_;
 }
 
 std::optional<SearchTimes> SearchTimer::measure(const FrameView& view) {

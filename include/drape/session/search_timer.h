@@ -14,8 +14,8 @@ namespace drape {
 /// the simulation does not notice. For the window alone, since it costs all tests of brute force.
 class SearchTimer {
 public:
-    /// The median of the last five comparisons of a scene; the next is made where a second has passed and something has
-    /// moved. Null where none can be made.
+    /// The median of the last five comparisons of a run with the same settings of contact; the next is made where a
+    /// second has passed and something has moved. Null where none can be made.
     const SearchTimes* look(const FrameView& view);
 
     /// Searches every cloth for every ball, and for cloth near cloth where `contact.self` is on and there are few
