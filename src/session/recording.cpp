@@ -92,20 +92,21 @@ void load_scene_first(Recording& recording) {
     std::vector<RecordedEntry> first{{0, command::LoadScene{recording.scene}, Recording::first_assignment - 1}};
     Simulation probe(recording.scene, load_scene(recording.scene));
     std::vector<std::string> left = recording.assignments;
-    // One that is allowed after another only comes after it
-    for (std::size_t before = 0; left.size() != before;) {
-        before = left.size();
-        std::erase_if(left, [&](const std::string& assignment) {
-            try {
-                probe.apply(command::Set{assignment});
-            } catch (const InputError&) {
-                return false;
-            }
-            first.push_back({0, command::Set{assignment}, first.back().line + 1});
-            return true;
-        });
+    std::string refusal;
+    const auto is_taken = [&](const std::string& assignment) {
+        try {
+            probe.apply(command::Set{assignment});
+        } catch (const InputError& error) {
+            refusal = error.what();
+            return false;
+        }
+        first.push_back({0, command::Set{assignment}, first.back().line + 1});
+        return true;
+    };
+    // One that another has to come before is refused until then
+    while (!left.empty()) {
+        if (std::erase_if(left, is_taken) == 0) throw InputError(recording.file + ": " + refusal);
     }
-    if (!left.empty()) probe.apply(command::Set{left.front()});
     first.push_back({0, command::Reset{}, first.back().line});
     recording.entries.insert(recording.entries.begin(), first.begin(), first.end());
 }

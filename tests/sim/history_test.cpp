@@ -311,6 +311,30 @@ TEST(History, KeepsSomeSecondsOfTheLargestScene) {
     EXPECT_LE(timeline.bytes, HistoryLimits{}.bytes);
 }
 
+TEST(History, KnowsTheStartOfEachRunBetweenResets) {
+    Session session(small_simulation());
+    session.keep_history({});
+    make_steps(session, 100);
+    session.send(command::Reset{});
+    make_steps(session, 100);
+    for (const auto& [step, start] : {std::pair(150, 100), std::pair(50, 0)}) {
+        go_to(session, step);
+        EXPECT_EQ(session.timeline().start, start) << step;
+    }
+}
+
+TEST(History, NamesTheStepOfARecordingAtWhichAReplayInTheMidstDiffers) {
+    const ScratchFile file("false.txt", "drape-recording 1\nscene drop\n5 hash 0123456789abcdef\n12 end\n");
+    Session session(small_simulation());
+    session.keep_history({});
+    make_steps(session, 137);
+    Recording recording = read_recording(file.name());
+    load_scene_first(recording);
+    session.replay(std::move(recording));
+    ASSERT_FALSE(session.run_replay() && !session.replay_differs());
+    EXPECT_THAT(session.replay_notice(), HasSubstr("before step 5"));
+}
+
 TEST(History, PlaysARecordingInTheMidstOfAnotherRun) {
     const ScratchFile file("midst.txt");
     Traveller recorded(shipped_simulation("drop", {"contact.friction=0.9", "ball.position=0.1,0,0"}));

@@ -32,6 +32,20 @@ Recording recording_of(std::string_view text) {
     return read_recording(file.name());
 }
 
+TEST(Recording, LoadsItsSceneWithSettingsInAnOrderThatIsAllowed) {
+    const std::string head = "drape-recording 1\nscene drop\nset ball.motion=path\n",
+                      path = "ball.path=0,0,1,0,1,0,1,0";
+    Recording recording = recording_of(head + "set " + path + "\n0 pause\n");
+    load_scene_first(recording);
+    std::vector<std::string> texts;
+    for (const RecordedEntry& entry : recording.entries)
+        texts.push_back(command_text(std::get<Command>(entry.content)));
+    EXPECT_THAT(texts, ElementsAre("scene drop", "set " + path, "set ball.motion=path", "reset", "pause"));
+    Recording without = recording_of(head + "0 pause\n");
+    EXPECT_THAT(input_error_of([&] { load_scene_first(without); }),
+                AllOf(HasSubstr("recording.txt"), HasSubstr("path")));
+}
+
 TEST(Recording, ReadsWhatARecorderWrote) {
     const ScratchFile file("recording.txt");
     Recorder recorder(file.name(), "drop", {"solver.dt=1e-4", "friction=0.2"});

@@ -61,6 +61,12 @@ TEST(SearchTimer, SaysNothingWhereThereIsNothingToCompare) {
     EXPECT_FALSE(SearchTimer::measure(without_ball.view(1)));
 }
 
+TEST(SearchTimer, FindsThatTheFirstSceneMakesFewOfTheTests) {
+    Simulation simulation("veil", load_scene("veil"));
+    make_steps(simulation, 1000);
+    EXPECT_GT(SearchTimer::measure(simulation.view(1)).value().tests_saved(), 0.9);
+}
+
 TEST(SearchTimer, FindsThatTheLargeSceneTestsLessThanOneCellInThirty) {
     EXPECT_EQ(scene_names().at(8), "large") << "its key is 9 in the panel";
     Settings settings = load_scene("large");
