@@ -28,7 +28,7 @@ std::string with_keys(const Entry& entry) {
 
 }  // namespace
 
-Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user) {
+Menu::Menu(const std::vector<Entry>& entries, double display_scale, void (*choose)(int entry, void* user), void* user) {
     std::map<std::string, int> menus{{"", glutCreateMenuUcall(choose, user)}};
     for (std::size_t e = 0; e < entries.size(); ++e) {
         const Entry& entry = entries[e];
@@ -36,6 +36,9 @@ Menu::Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* us
         glutSetMenu(menu);
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
         items_.push_back({with_keys(entry), MenuMark(entry), menu, glutGet(GLUT_MENU_NUM_ITEMS), entry.text});
+    }
+    for (const auto& [path, number] : menus) {
+        if (display_scale >= 1.25) glutSetMenuFont(number, GLUT_BITMAP_TIMES_ROMAN_24);
     }
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());

@@ -12,8 +12,9 @@ namespace drape {
 /// closed: freeglut ends the program when a menu in use is changed.
 class Menu {
 public:
+    /// @param display_scale as `Panels` has it; GLUT has one font that is larger than its usual one
     /// @param choose is called with the number of the chosen entry and `user`
-    Menu(const std::vector<Entry>& entries, void (*choose)(int entry, void* user), void* user);
+    Menu(const std::vector<Entry>& entries, double display_scale, void (*choose)(int entry, void* user), void* user);
 
     /// GLUT's word on whether the menu is in use. One that closes is hidden: freeglut hides it at once, and shows it
     /// with its next work, so that one which opens and closes within a frame would stay on the screen.

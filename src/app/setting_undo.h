@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,32 +16,40 @@ class SettingUndo {
 public:
     using Assignments = std::vector<std::string>;
 
+    /// What takes a change back, or makes it again; empty: none is left.
+    struct Move {
+        Assignments assignments;
+        std::int64_t step;  ///< before which the change was made first
+    };
+
     /// A setting was changed.
+    /// @param step of the session before which that was
     /// @param name with the number of the ball if it is one of several
     /// @param press of the button that led to it, by its number: what one press does to one setting is one change; 0:
     /// no button did
-    void changed(const std::string& name, Assignments before, Assignments after, int press) {
+    void changed(std::int64_t step, const std::string& name, Assignments before, Assignments after, int press) {
         if (before == after) return;
         changes_.resize(done_);
         const bool goes_on =
             press != 0 && !changes_.empty() && changes_.back().press == press && changes_.back().name == name;
-        if (!goes_on) changes_.push_back({name, press, std::move(before), {}});
+        if (!goes_on) changes_.push_back({step, name, press, std::move(before), {}});
         changes_.back().after = std::move(after);
         done_ = changes_.size();
     }
 
-    /// What takes back the last change that is not taken back, or what makes the last again that is. Empty: none is.
-    Assignments next(bool again, const Settings& now) {
+    /// That of the last change that is not taken back, or of the last again that is.
+    Move next(bool again, const Settings& now) {
         while (again ? done_ < changes_.size() : done_ > 0) {
             const Change& change = changes_[again ? done_++ : --done_];
             const Assignments& wanted = again ? change.after : change.before;
-            if (assignments_of(now, change.name) != wanted) return wanted;
+            if (assignments_of(now, change.name) != wanted) return {wanted, change.step};
         }
         return {};
     }
 
 private:
     struct Change {
+        std::int64_t step;
         std::string name;
         int press;
         Assignments before, after;

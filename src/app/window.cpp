@@ -142,7 +142,7 @@ void Window::on_display() {
     view.prefer_speed = draws_fast();
     draw(view);
     if (video_.due()) video_.take(renderer_->read_back());
-    renderer_->present();
+    renderer_->present(video_.recording());
     glFlush();
     since_drawn_ = 0;
     dirty_ = false;
@@ -184,16 +184,22 @@ void Window::draw(const FrameView& view) {
 
 void Window::take_picture() {
     if (!drawable() || closed_) return;
+    // The bar of time is no part of the picture, but a drag of it would end with a frame without it
+    FrameView view = seen();
+    if (panel_button_) view.timeline = session_.timeline();
+    draw(view);
+    Image picture = renderer_->read_back();
+    picture.texts = picture_texts(session_.simulation());
+    write_new("Picture", ".png", [&](const std::filesystem::path& file) { return write_png(picture, file, true); });
+}
+
+// Under the first free name; another program may be faster
+void Window::write_new(const char* what, const char* extension,
+                       const std::function<bool(const std::filesystem::path& file)>& write) {
     try {
-        // The bar of time is no part of the picture, but a drag of it would end with a frame without it
-        FrameView view = seen();
-        if (panel_button_) view.timeline = session_.timeline();
-        draw(view);
-        Image picture = renderer_->read_back();
-        picture.texts = picture_texts(session_.simulation());
-        std::filesystem::path file = first_free_name(".png");
-        while (!write_png(picture, file, true)) file = first_free_name(".png");  // somebody was faster
-        notices_.add("picture", "Picture written: " + file.string());
+        std::filesystem::path file = first_free_name(extension);
+        while (!write(file)) file = first_free_name(extension);
+        notices_.add("picture", std::string(what) + " written: " + file.string());
     } catch (const RunError& error) {
         notices_.add("picture", error.what());
     }
@@ -230,16 +236,18 @@ void Window::tell_of_failure() {
     if (!failure_note_.empty()) tell(failure_note_);
 }
 
-// Not where the panel says that the picture is coarse: a slow display has no time for every step
+// Not where the panel says that the picture is coarse: a slow display has no time for every step. Nobody misses one of
+// what sleeps
 void Window::tell_of_drops() {
     const double dropped = session_.dropped();
     dropped_ = std::min(dropped_, dropped);
     if (dropped < dropped_ + 0.1) return;
     dropped_ = dropped;
-    if (draws_fast()) return;
+    const Simulation& simulation = session_.simulation();
+    if (draws_fast() || simulation.report().asleep) return;
     std::string seconds = std::to_string(dropped);
     seconds.resize(seconds.find('.') + 2);
-    const bool real = session_.simulation().settings().view.speed == 1;
+    const bool real = simulation.settings().view.speed == 1;
     notices_.add("dropped", std::string("The scene runs slower than ") + (real ? "real time" : "view.speed asks") +
                                 ": " + seconds + " s behind so far");
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -116,6 +118,8 @@ private:
     void draw(const FrameView& view);
     void show_drawn();
     void take_picture();
+    void write_new(const char* what, const char* extension,
+                   const std::function<bool(const std::filesystem::path& file)>& write);
     void schedule();
     void leave();
     [[nodiscard]] bool draws_fast() const { return pace_.prefer_speed() && !video_.recording(); }

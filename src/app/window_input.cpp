@@ -48,7 +48,7 @@ void Window::register_callbacks() {
     glutKeyboardUpFuncUcall(Callback<&Window::on_character_up>::call, this);
     glutSpecialFuncUcall(Callback<&Window::on_special>::call, this);
     glutSpecialUpFuncUcall(Callback<&Window::on_special_up>::call, this);
-    menu_.emplace(entries_, Callback<&Window::on_choice>::call, this);
+    menu_.emplace(entries_, renderer_->panels().display_scale, Callback<&Window::on_choice>::call, this);
     glutMenuStatusFuncUcall(Callback<&Window::on_menu>::call, this);
 }
 
@@ -113,6 +113,8 @@ void Window::give(const Entry& entry) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
         carry_out(command::Compare{entry.versus});
+        notices_.add("outcome", "The scene is " + session_.simulation().settings().title + ", compared with " +
+                                    entry.versus + "; Esc ends that");
         return;
     }
     if (entry.manner == Manner::Search) {
@@ -126,6 +128,10 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Fullscreen) {
         pointer_.forget();
         return glutFullScreenToggle();
+    }
+    if (entry.manner == Manner::SaveRecording) {
+        return write_new("Recording", ".txt",
+                         [&](const std::filesystem::path& file) { return session_.save_recording(file); });
     }
     if (entry.manner == Manner::ReplayRun) return replay_run();
     if (entry.manner == Manner::ReplayFile) return replay_file(entry.text);
@@ -328,17 +334,26 @@ bool Window::change(const Command& command, int press) {
     const std::string name(setting_of(command));
     if (name.empty() || !changes_motion(command)) return carry_out(command);
     std::vector<std::string> before = assignments_of(settings, name);
+    const std::int64_t step = session_.timeline().now;
     if (!carry_out(command)) return false;
-    undo_.changed(name, std::move(before), assignments_of(settings, name), press);
+    undo_.changed(step, name, std::move(before), assignments_of(settings, name), press);
     return true;
 }
 
+// A run that has diverged since goes on from where the change was made
 void Window::undo(bool again) {
+    const Simulation& simulation = session_.simulation();
+    const SettingUndo::Move move = undo_.next(again, simulation.settings());
+    const bool goes_back = simulation.report().status == Status::Diverged && !again && !move.assignments.empty() &&
+                           move.step >= session_.timeline().oldest;
+    const bool was_paused = simulation.paused();
+    if (goes_back) go_to(move.step);
     std::string outcome;
-    for (const std::string& assignment : undo_.next(again, session_.simulation().settings())) {
+    for (const std::string& assignment : move.assignments) {
         if (!carry_out(command::Set{assignment})) return;
         outcome += (outcome.empty() ? "" : ", ") + shortened(assignment);
     }
+    if (goes_back && !was_paused) carry_out(command::Pause{});
     notices_.add("outcome", outcome.empty()
                                 ? "No change of a setting is left to " + std::string(again ? "redo" : "undo")
                                 : outcome + " again");

@@ -159,6 +159,12 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
         {"", {"Ctrl+Z"}, "Undo the last change of a setting", "", Manner::Undo},
         {"", {"Ctrl+Y", "Ctrl+Shift+Z"}, "Redo it", "", Manner::Redo},
         {"", {"V"}, "Wind", "next wind.on", Manner::Once, {}, "Cloth and wind"},
+        {"",
+         {"Ctrl+S"},
+         "Save recording",
+         "",
+         Manner::SaveRecording,
+         "Save a recording of what was done; / replays it"},
         {"", {"F12"}, "Save screenshot", "picture"},
         {"", {"Shift+F12"}, "Record video: start, end", "video"},
         {"Tour", {"F1"}, "Tour: next stop", "", Manner::NextStop, tour, scenes_and_tour},
@@ -187,8 +193,7 @@ std::vector<KeyHelp> first_hints(bool has_ball) {
     };
     if (has_ball) hints.push_back({"Arrow keys", "Move the ball; E and Q up and down"});
     hints.push_back({"Space", "Pause / Resume"});
-    hints.push_back(
-        {"B", has_ball ? "Bounding volumes that the ball is tested against" : "Bounding volumes of the cloth"});
+    hints.push_back({"B", has_ball ? "How the tree of bounding volumes saves tests" : "Bounding volumes of the cloth"});
     hints.push_back({"H", "All keys"});
     hints.push_back({"F1", "A tour of " + std::to_string(tour_stops().size()) + " stops"});
     return hints;

@@ -69,6 +69,7 @@ Row state_row(const FrameView& view) {
     if (report.energy_gain_step > 0) return {"state", "running, gains energy", 4, ink::bad};
     if (in_doubt(report)) return {"state", "running, unsolved", 4, ink::bad};
     if (report.asleep) return {"state", "asleep", 4, ink::quiet};
+    if (view.timeline.replay || !view.timeline.is_live()) return {"state", "replaying", 4, ink::wait};
     return {"state", view.held ? "running, in hand" : "running", 4, ink::good};
 }
 

@@ -48,7 +48,8 @@ void MenuPanel::open(std::span<const Entry> entries, const Settings& settings) {
         if (!has_panel_row(setting) || section_count(settings, setting) == 0) continue;
         const std::string name = setting.full_name();
         const std::string searched = name + " " + setting_label(setting) + " setting " + setting.help;
-        items_.push_back({"Settings", name, "", small_letters(searched), {}, &setting});
+        const bool is_idle = !why_without_effect(setting, settings, 0).empty();
+        items_.push_back({"Settings", name, "", small_letters(searched), {}, &setting, is_idle});
     }
     query_.clear();
     search();
@@ -71,11 +72,12 @@ void MenuPanel::type(unsigned char code) {
 }
 
 void MenuPanel::search() {
-    // What is called so or has this key, then what has the query in its name, whole words first, the sooner the better
+    // What is called so or has this key, then what has the query in its name, whole words first, the sooner the better;
+    // last what has no effect now
     const auto place = [this](std::size_t k) {
         const std::string text = small_letters(items_[k].text), keys = ", " + small_letters(items_[k].keys) + ", ";
         const bool is_it = text == query_ || keys.find(", " + key_name(query_) + ", ") != std::string::npos;
-        return std::tuple(!is_it, rank_of(text, query_), text.find(query_));
+        return std::tuple(!is_it, items_[k].is_idle, rank_of(text, query_), text.find(query_));
     };
     found_.clear();
     for (std::size_t k = 0; k < items_.size(); ++k) {

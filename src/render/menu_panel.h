@@ -34,6 +34,7 @@ private:
         std::string searched;  ///< in small letters
         MenuMark mark;
         const Setting* setting = nullptr;  ///< null: an entry
+        bool is_idle = false;              ///< a setting without effect
     };
 
     void search();

@@ -172,11 +172,18 @@ public:
     }
 
     /// Copies the picture to framebuffer 0, and leaves that bound.
-    void present() {
+    /// @param mark side of a red square at the upper right; 0: none [pixel]
+    void present(int mark) {
         const auto [width, height] = full_.size;
         gl_(glBindFramebuffer, GL_READ_FRAMEBUFFER, full_.plain.name());
         gl_(glBindFramebuffer, GL_DRAW_FRAMEBUFFER, 0);
         gl_(glBlitFramebuffer, 0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        if (mark == 0) return;
+        gl_(glEnable, GL_SCISSOR_TEST);
+        gl_(glScissor, width - 2 * mark, height - 2 * mark, mark, mark);
+        gl_(glClearColor, 0.9f, 0.1f, 0.1f, 1.0f);
+        gl_(glClear, GL_COLOR_BUFFER_BIT);
+        gl_(glDisable, GL_SCISSOR_TEST);
     }
 
     [[nodiscard]] Image read_back() {

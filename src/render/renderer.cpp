@@ -188,9 +188,10 @@ void Renderer::Parts::paint(const FrameView& view) {
     painter.draw(stream);
 }
 
-void Renderer::present() {
+void Renderer::present(bool is_recorded) {
     if (!parts_->target) return;
-    parts_->target->present();
+    const double scale = parts_->panels.display_scale;
+    parts_->target->present(is_recorded ? static_cast<int>(14 * scale) : 0);
     parts_->note_cost();
 }
 

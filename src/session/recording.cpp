@@ -131,12 +131,23 @@ std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
 
 Recorder::Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments)
     : file_(file, OutputFile::LeftOver::Keep) {
-    file_.stream() << first_line << "\nscene " << scene << '\n';
-    for (const std::string& assignment : assignments) file_.stream() << "set " << assignment << '\n';
+    begin(scene, assignments);
+    file_.stream() << text_;
     file_.flush();
 }
 
-void Recorder::begin_line(std::int64_t step) { lines_.push_back({step, file_.stream().tellp(), paused_}); }
+void Recorder::begin(const std::string& scene, const std::vector<std::string>& assignments) {
+    text_ = std::string(first_line) + "\nscene " + scene + '\n';
+    for (const std::string& assignment : assignments) text_ += "set " + assignment + '\n';
+    lines_.clear();
+}
+
+void Recorder::add(std::int64_t step, const std::string& what) {
+    lines_.push_back({step, text_.size(), paused_});
+    const std::string line = std::to_string(step - first_step_) + ' ' + what;
+    text_ += line + '\n';
+    file_.stream() << line << std::endl;
+}
 
 void Recorder::begin_step(std::int64_t step) {
     if (paused_ && granted_ == 0) write(step, command::Pause{});
@@ -145,24 +156,36 @@ void Recorder::begin_step(std::int64_t step) {
 
 bool Recorder::cut_after(std::int64_t step) {
     const auto later = std::ranges::upper_bound(lines_, step, {}, &Line::step);
-    if (later != lines_.end() && !file_.cut_at(later->begin)) return false;
-    if (later != lines_.end()) paused_ = later->paused;
+    if (later != lines_.end()) {
+        if (file_.wanted() && !file_.cut_at(static_cast<std::int64_t>(later->begin))) return false;
+        paused_ = later->paused;
+        text_.resize(later->begin);
+        lines_.erase(later, lines_.end());
+    }
     granted_ = 0;
-    lines_.erase(later, lines_.end());
     return true;
 }
 
 void Recorder::write(std::int64_t step, const Command& command) {
-    begin_line(step);
+    const auto* scene = std::get_if<command::LoadScene>(&command);
+    if (scene != nullptr && !file_.wanted()) {
+        begin(scene->name, {});
+        first_step_ = step;
+        if (paused_) add(step, command_text(command::Pause{}));
+        return;
+    }
+    add(step, command_text(command));
     const auto* steps = std::get_if<command::Step>(&command);
     if (std::holds_alternative<command::Pause>(command)) paused_ = !paused_, granted_ = 0;
     if (steps != nullptr) paused_ = true, granted_ = steps->count;
-    file_.stream() << step << ' ' << command_text(command) << std::endl;
 }
 
-void Recorder::write_hash(std::int64_t step, std::uint64_t hash) {
-    begin_line(step);
-    file_.stream() << step << " hash " << hash_text(hash) << std::endl;
+void Recorder::write_hash(std::int64_t step, std::uint64_t hash) { add(step, "hash " + hash_text(hash)); }
+
+bool Recorder::save(const std::filesystem::path& file, std::int64_t step) const {
+    OutputFile out(file.string());
+    out.stream() << text_ << step - first_step_ << " end\n";
+    return out.close_if_free();
 }
 
 void Recorder::close(std::int64_t step) {

@@ -47,6 +47,11 @@ void Session::record(const std::string& file, const std::vector<std::string>& as
     if (!snapshot.empty()) recorder_->write(0, command::Load{snapshot});
 }
 
+bool Session::save_recording(const std::filesystem::path& file) const {
+    if (!recorder_) throw RunError("the recording has ended: it could not be cut back");
+    return recorder_->save(file, newest_);
+}
+
 void Session::replay(Recording recording) {
     arrive();
     if (any_lies_ahead()) take_over();

@@ -95,11 +95,11 @@ void check_written(const StartOptions& options, const Start& start, const std::v
     check_apart(files);
 }
 
-Session make_session(Start start, const std::string& record) {
+Session make_session(Start start, const std::optional<std::string>& record) {
     const bool loads = !start.load.empty();
     Session session(loads ? read_snapshot(start.load) : Simulation(std::move(start.scene), std::move(start.settings)));
     const std::vector<std::string> changes = loads ? std::exchange(start.assignments, {}) : std::vector<std::string>();
-    if (!record.empty()) session.record(record, start.assignments, start.load);
+    if (record) session.record(*record, start.assignments, start.load);
     for (const std::string& change : changes) session.send(command::Set{change});
     if (!start.versus.empty()) {
         blame("--versus", [&] { session.send(command::Compare{start.versus}); });

@@ -14,19 +14,20 @@ using testing::IsEmpty;
 struct User {
     Settings settings = load_scene("three_balls");
     SettingUndo undo;
+    std::int64_t step = 0;
 
     void set(const std::string& assignment, int press = 0) {
         const std::string name = assignment.substr(0, assignment.find('='));
         auto before = assignments_of(settings, name);
         assign(settings, assignment);
-        undo.changed(name, std::move(before), assignments_of(settings, name), press);
+        undo.changed(++step, name, std::move(before), assignments_of(settings, name), press);
     }
     SettingUndo::Assignments carry_out(const SettingUndo::Assignments& assignments) {
         assign_all(settings, assignments);
         return assignments;
     }
-    SettingUndo::Assignments back() { return carry_out(undo.next(false, settings)); }
-    SettingUndo::Assignments forth() { return carry_out(undo.next(true, settings)); }
+    SettingUndo::Assignments back() { return carry_out(undo.next(false, settings).assignments); }
+    SettingUndo::Assignments forth() { return carry_out(undo.next(true, settings).assignments); }
 };
 
 TEST(SettingUndo, GoesBackToWhereItBeganAndForthAgain) {

@@ -171,6 +171,21 @@ TEST_F(WindowTest, AChangeOfASettingIsTakenBackAndMadeAgain) {
     quit();
 }
 
+TEST_F(WindowTest, ARunThatAChangeEndedGoesOnFromThereWhenItIsTakenBack) {
+    start({"hang"});
+    desktop_.key("slash");
+    desktop_.act({"type", "20 ms"});
+    desktop_.key("Return");
+    ASSERT_TRUE(eventually([this] { return drape_->standard_error().find("Diverged") != std::string::npos; }));
+    const long long changed = numbered_lines().back().first;
+    desktop_.key("ctrl+z");
+    ASSERT_TRUE(recorded(assignments_of(load_scene("hang"), "solver.dt").front().insert(0, "set ")));
+    EXPECT_EQ(numbered_lines().back().first, changed);
+    EXPECT_TRUE(eventually([&] { return last_step() > changed; })) << "it runs";
+    EXPECT_EQ(drape_->standard_error().rfind("Diverged"), drape_->standard_error().find("Diverged"));
+    quit();
+}
+
 TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     start({"original"});
     desktop_.act({"keydown", "Left"});

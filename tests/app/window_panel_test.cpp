@@ -86,6 +86,22 @@ TEST_F(WindowTest, TheDrawnMenuReplaysTheRunAndTheRecordingsOfItsFolder) {
     quit();
 }
 
+TEST_F(WindowTest, ARecordingIsSavedAndReplayedFromTheMenu) {
+    start({"hang"});
+    desktop_.key("3");
+    ASSERT_TRUE(recorded("scene " + scene_names()[2]));
+    desktop_.key("v");
+    ASSERT_TRUE(recorded("next wind.on"));
+    desktop_.key("ctrl+s");
+    ASSERT_TRUE(test::eventually([this] { return std::filesystem::exists(file("drape-0001.txt")); }));
+    const std::size_t before = commands().size();
+    desktop_.key("slash");
+    desktop_.act({"type", "drape-0001"});
+    desktop_.key("Return");
+    EXPECT_TRUE(recorded("next wind.on", before));
+    quit();
+}
+
 // The section Compare is closed at first; open, it has its button where the label of a row was before.
 TEST_F(WindowTest, TheSettingsPanelComparesTheRunWithTheValueThatIsChosen) {
     start({"hang", "--set", "view.controls=true"});

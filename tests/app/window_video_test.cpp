@@ -125,6 +125,8 @@ std::string contents(const std::string& video) {
     return text;
 }
 
+bool is_red(const std::uint8_t* pixel) { return pixel[0] > 200 && pixel[1] < 60 && pixel[2] < 60; }
+
 // Of fast pictures, too.
 TEST_F(WindowTest, ShiftF12StartsAVideoAndEndsItAndAnotherSizeDoes) {
     start({"drop", "--set", "view.quality=fast"});
@@ -132,6 +134,7 @@ TEST_F(WindowTest, ShiftF12StartsAVideoAndEndsItAndAnotherSizeDoes) {
         const std::size_t before = commands().size();
         desktop_.key("shift+F12");
         ASSERT_TRUE(recorded("video", before));
+        EXPECT_TRUE(eventually([&] { return is_red(desktop_.picture_of(window_).pixel(619, 21)); })) << "the mark";
         const double used = drape_->processor_time();
         ASSERT_TRUE(eventually([&] { return drape_->processor_time() > used + 0.15; }));
         EXPECT_FALSE(fs::exists(file(name))) << "before it is whole";

@@ -51,7 +51,7 @@ TEST(FrameCost, IsOneUploadAndNothingThatIsNewOrWaits) {
         if (frame == 30) uploads = stops = 0;  // until then plots fill, and what is seen grows
         const long long before = allocations();
         renderer.draw(view, camera, {});
-        renderer.present();
+        renderer.present(false);
         EXPECT_LE(allocations() - before, frame < 30 ? 5000 : 600) << "texts of the open panels: about 400";
     }
     EXPECT_EQ(uploads, 60);

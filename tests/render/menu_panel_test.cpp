@@ -79,6 +79,13 @@ TEST_F(DrawnMenu, FindsWholeWordsOfATitleFirst) {
     EXPECT_EQ(chosen_for("kdop"), "set contact.volume=kdop6") << "where a word begins";
 }
 
+TEST_F(DrawnMenu, HasWhatIsWithoutEffectLast) {
+    search("stiffness");
+    const std::string text = draw();
+    EXPECT_LT(text.find("cloth.shear.stiffness"), text.find("contact.stiffness"));
+    EXPECT_FALSE(why_without_effect(find_setting("contact.stiffness"), simulation_.settings(), 0).empty());
+}
+
 TEST_F(DrawnMenu, FindsASceneByItsCommandAndNotWhatReloads) {
     search("scene hang");
     panels_.type(enter);

@@ -94,6 +94,14 @@ TEST_F(PanelText, HasTheWholeBalanceWithoutASignOfZeroBeforeLesserRows) {
     EXPECT_THAT(text(1280, 1400), Not(HasSubstr("no room for")));
 }
 
+TEST_F(PanelText, SaysWhetherWhatWasBeforeIsReplayed) {
+    EXPECT_THAT(text(), HasSubstr("state running"));
+    timeline_ = {.now = 3, .newest = 7};
+    EXPECT_THAT(text(), HasSubstr("state replaying"));
+    paused_ = true;
+    EXPECT_THAT(text(), HasSubstr("state paused"));
+}
+
 TEST_F(PanelText, HasEveryAssignmentOfAComparison) {
     Comparison comparison(Simulation("veil", load_scene("veil")),
                           "solver.integrator=backward_euler,solver.dt=1e-3,contact.volume=kdop18");

@@ -198,6 +198,16 @@ TEST(History, RecordsARunThatIsLeftInItsPast) {
     EXPECT_EQ(hash_of_replay(file.name()), traveller.hashes.back()) << "all of it is there";
 }
 
+TEST(History, SavesARecordingOfAllThatWasDoneFromAnyMoment) {
+    const ScratchFile file("saved.txt");
+    Traveller traveller(small_simulation());
+    traveller.session.record("", {});
+    play_with(traveller);
+    go_to(traveller.session, 300);
+    ASSERT_TRUE(traveller.session.save_recording(file.name()));
+    EXPECT_EQ(hash_of_replay(file.name()), traveller.hashes.back());
+}
+
 /// A session that plays commands at their steps, until another step.
 Session replaying(const std::vector<std::pair<std::int64_t, const char*>>& commands, std::int64_t last) {
     Recording recording{.scene = "drop", .assignments = {}, .entries = {}, .last_step = last, .notice = {}};

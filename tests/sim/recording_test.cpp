@@ -72,6 +72,24 @@ TEST(Recording, ReadsWhatARecorderWrote) {
     }
 }
 
+TEST(Recording, WithoutAFileIsSavedWhenItIsWantedAndBeginsAgainWithEachScene) {
+    const ScratchFile file("saved.txt");
+    Recorder recorder("", "drop", {"solver.dt=1e-4"});
+    recorder.write(3, parse_command("next wind.on"));
+    ASSERT_TRUE(recorder.save(file.name(), 5));
+    EXPECT_FALSE(recorder.save(file.name(), 5)) << "a file is there";
+    EXPECT_EQ(read_file(file.name()), "drape-recording 1\nscene drop\nset solver.dt=1e-4\n3 next wind.on\n5 end\n");
+    recorder.write(6, command::Pause{});
+    recorder.write(6, parse_command("scene hang"));
+    recorder.begin_step(6);
+    recorder.write(8, parse_command("reset"));
+    recorder.write_hash(9, 0x0123456789abcdef);
+    ASSERT_TRUE(recorder.cut_after(8));
+    std::filesystem::remove(file.name());
+    ASSERT_TRUE(recorder.save(file.name(), 8));
+    EXPECT_EQ(read_file(file.name()), "drape-recording 1\nscene hang\n0 pause\n0 pause\n2 reset\n2 end\n");
+}
+
 TEST(Recording, CutOffAnywhereIsReadToTheLastWholeLineAndSaysSo) {
     const std::string text = good;
     const std::size_t header = text.find("set ");

@@ -31,6 +31,7 @@ enum class Manner {
     Fullscreen,
     Undo,  ///< of the last change of a setting
     Redo,
+    SaveRecording,
     ReplayRun,   ///< from its start
     ReplayFile,  ///< a recording, which its text names
 };

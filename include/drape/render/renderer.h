@@ -127,7 +127,8 @@ public:
     void draw(const FrameView& view, const Camera& camera, std::span<const std::string> notices);
 
     /// Has the drawn frame in framebuffer 0, for a window.
-    void present();
+    /// @param is_recorded with a red mark in its corner, which `read_back` does not have
+    void present(bool is_recorded);
 
     /// The drawn frame.
     [[nodiscard]] Image read_back() const;

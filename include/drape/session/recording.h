@@ -47,9 +47,10 @@ void load_scene_first(Recording& recording);
 std::vector<std::string> recordings_in(const std::filesystem::path& folder);
 
 /// Writes a recording line by line, so that a crash loses at most the last one. Until it is closed it is named
-/// "FILE.unfinished".
+/// "FILE.unfinished". Without a file the text is kept until it is saved, and begins again with each scene.
 class Recorder {
 public:
+    /// @param file empty: none
     /// @throws RunError if the file cannot be created, or another run is recording into it
     Recorder(const std::string& file, const std::string& scene, const std::vector<std::string>& assignments);
 
@@ -64,6 +65,11 @@ public:
     /// @throws RunError if not everything could be written
     bool cut_after(std::int64_t step);
 
+    /// Writes what there is so far as a recording of its own, which ends at this step.
+    /// @return false if a file has that name: it stays
+    /// @throws RunError if not everything could be written
+    [[nodiscard]] bool save(const std::filesystem::path& file, std::int64_t step) const;
+
     /// @throws RunError if not everything could be written
     void close(std::int64_t step);
 
@@ -74,14 +80,17 @@ private:
     /// Where a line begins in the file.
     struct Line {
         std::int64_t step;
-        std::int64_t begin;
+        std::size_t begin;
         bool paused;  ///< before it
     };
 
-    void begin_line(std::int64_t step);
+    void begin(const std::string& scene, const std::vector<std::string>& assignments);
+    void add(std::int64_t step, const std::string& what);
 
     OutputFile file_;
+    std::string text_;  ///< of the file
     std::vector<Line> lines_;
+    std::int64_t first_step_ = 0;
     bool paused_ = false;       ///< a replay is, at this point
     std::int64_t granted_ = 0;  ///< steps that it makes all the same
 };

@@ -35,11 +35,18 @@ class Session {
 public:
     explicit Session(Simulation simulation);
 
-    /// Writes every command from now on, and a hash now and then, to a file.
+    /// Writes every command from now on, and a hash now and then, to a file, or keeps them for `save_recording`.
+    /// @param file empty: none
     /// @param assignments that were applied to the scene's settings before the simulation was made
     /// @param snapshot that the simulation was read from; empty: none
     /// @throws RunError if it cannot be written
     void record(const std::string& file, const std::vector<std::string>& assignments, const std::string& snapshot = {});
+
+    /// Writes what was recorded until the newest step as a recording of its own; without a file, since the scene came.
+    /// @pre `record` was called
+    /// @return false if a file has that name: it stays
+    /// @throws RunError if it could not be written whole, or the recording has ended
+    [[nodiscard]] bool save_recording(const std::filesystem::path& file) const;
 
     /// Feeds the commands of a recording as their steps come, from now on. What lies ahead is forgotten.
     void replay(Recording recording);

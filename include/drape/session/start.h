@@ -57,10 +57,11 @@ Start make_start(StartOptions options);
 void check_written(const StartOptions& options, const Start& start, const std::vector<NamedFile>& written);
 
 /// The simulation of a start, with its replay running.
-/// @param record file for a recording of all that follows, the replay's commands included; empty: none
+/// @param record file for a recording of all that follows, the replay's commands included; empty: it is kept for
+/// `Session::save_recording`; nothing: none is made
 /// @throws InputError if `Start::versus` does not fit the scene
 /// @throws RunError if the recording cannot be written, or memory is too little for a comparison
-Session make_session(Start start, const std::string& record = {});
+Session make_session(Start start, const std::optional<std::string>& record = {});
 
 /// Writes the snapshot that a command line asks for at the end of a run, or says why there is none.
 /// @param file empty: none is asked for

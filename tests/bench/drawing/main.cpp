@@ -70,7 +70,7 @@ public:
         const double before = processor_time();
         if (settings_.view.panel != PanelSize::Off) view.search = search_timer_.look(view);
         renderer_.draw(view, camera_, {});
-        renderer_.present();
+        renderer_.present(false);
         finish();
         milliseconds_.push_back(1e3 * (processor_time() - before));
     }
