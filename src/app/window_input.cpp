@@ -254,8 +254,10 @@ void Window::on_motion(int x, int y) {
 }
 
 void Window::on_passive_motion(int x, int y) {
+    const Panels& panels = renderer_->panels();
+    dirty_ |= panels.at_figures();
     at_panel({.x = x, .y = y});
-    dirty_ |= session_.simulation().settings().view.bounds;
+    dirty_ |= panels.at_figures() || session_.simulation().settings().view.bounds;
 }
 
 void Window::on_wheel(int, int notches, int x, int y) {

@@ -10,6 +10,7 @@
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/integrate/integrator.h"
+#include "figure_help.h"
 
 namespace drape {
 
@@ -294,13 +295,29 @@ void draw_row(const Row& row, float top, const Columns& columns) {
     if (filled > 1) list.AddRectFilled({columns.bar, upper}, {columns.bar + filled, lower}, ink::bar, 2);
 }
 
+// What the row means, beside the panel
+void explain(const Row& row, ImVec2 corner) {
+    const std::string_view help = figure_help(row.name);
+    if (help.empty()) return;
+    const float size = ImGui::GetFontSize();
+    ImGui::SetNextWindowPos(corner);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * size);
+    ImGui::TextUnformatted(help.data(), help.data() + help.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
 }  // namespace
 
 std::string time_text(double microseconds) {
     return microseconds < 999.95 ? format("%.1f us", microseconds) : format("%.2f ms", microseconds / 1000);
 }
 
-float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page) {
+PanelBox figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page,
+                       ImVec2 pointer) {
     std::vector<Row> rows;
     if (view.settings->view.panel == PanelSize::Compact) {
         add_compact_rows(view, last, rows);
@@ -319,7 +336,8 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
     const float title_height = shown.height + 0.4f * size;
     drop_rows(rows, line, gap, page.height - 4 * margin - title_height);
     const float height = std::min(height_of(rows, line, gap) + title_height + 2 * margin, page.height - 2 * margin);
-    draw_panel({margin, margin, margin + width, margin + height});
+    const PanelBox box{margin, margin, margin + width, margin + height};
+    draw_panel(box);
 
     shown.font.push();
     ImGui::PushTextWrapPos(width);
@@ -332,9 +350,12 @@ float figures_panel(const FrameView& view, const FrameReport& last, const PanelF
     for (const Row& row : rows) {
         if (row.opens_group) top += gap;
         draw_row(row, top, columns);
+        if (PanelBox{box.left, top, box.right, top + line}.covers(pointer.x, pointer.y)) {
+            explain(row, {box.right + margin / 2, top});
+        }
         top += line;
     }
-    return margin + width;
+    return box;
 }
 
 }  // namespace drape

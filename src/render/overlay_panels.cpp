@@ -252,7 +252,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height) {
         settings.hide();
-        timeline_ = {};
+        figures_ = timeline_ = {};
         forget_input();
         return false;
     }
@@ -296,8 +296,9 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     // Nor is there room for a hint beside both other panels of a narrow page
     const float middle = right - 3 * margin - figures_columns * font;
     if (hinted && shown.controls && middle < hint_columns * font) beside = false;
-    float left = margin;
-    if (beside) left = figures_panel(view, last, fonts_[size + 1], page) + margin;
+    const ImVec2 pointer(static_cast<float>(hover_x), static_cast<float>(hover_y));
+    figures_ = beside ? figures_panel(view, last, fonts_[size + 1], page, pointer) : PanelBox{};
+    const float left = figures_.right + margin;
     // On a small page a hint is worth more than legends
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (!showing_help) {
@@ -307,8 +308,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     }
     if (!showing_help && !notices.empty()) notice_panel(notices, fonts, page, boxes_, true);
     if (hinted) hint_panel(hint, fonts, page, boxes_);
-    const bool at_settings = settings.window.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
-    if (names_nodes && !at_settings) node_panel(view, camera, hover_x, hover_y, {w, h, margin});
+    if (names_nodes && !settings.window.covers(pointer.x, pointer.y))
+        node_panel(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     menu.draw(view, {w, h, margin});
     forget_input();

@@ -29,8 +29,10 @@ std::string time_text(double microseconds);
 /// first.
 /// @pre the panel is not off
 /// @param last what the frame before this one cost
-/// @return the panel's right edge [pixel]
-float figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page);
+/// @param pointer under which a row says what it means [pixel]
+/// @return where it is
+PanelBox figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page,
+                       ImVec2 pointer);
 
 /// What the plots take [font size].
 inline constexpr float plots_columns = 52.5f, plots_rows = 8;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <optional>
+#include <set>
 
 #include "drape/render/entries.h"
 #include "drape/scene/scene.h"
@@ -15,6 +16,7 @@ namespace drape {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
@@ -92,6 +94,22 @@ TEST_F(PanelText, HasTheWholeBalanceWithoutASignOfZeroBeforeLesserRows) {
     settings_.view.plots = true;
     EXPECT_THAT(text(), AllOf(HasSubstr("to drag 0.2500 J"), ContainsRegex("no room for [0-9]+ more")));
     EXPECT_THAT(text(1280, 1400), Not(HasSubstr("no room for")));
+}
+
+TEST_F(PanelText, SaysWhatTheRowUnderThePointerMeans) {
+    settings_.view.panel = PanelSize::Full;
+    settings_.solver.ledger = true;
+    panels_.hover_x = 40;
+    std::set<std::string> meanings;
+    const std::string usual = text();
+    for (panels_.hover_y = 0; panels_.hover_y < 720; panels_.hover_y += 4) {
+        const std::string with_meaning = text();
+        EXPECT_EQ(panels_.at_figures(), panels_.boxes().front().covers(40, static_cast<float>(panels_.hover_y)));
+        if (with_meaning.starts_with(usual)) meanings.insert(with_meaning.substr(usual.size()));
+    }
+    EXPECT_GE(meanings.size(), 20u);
+    EXPECT_THAT(meanings, Contains(HasSubstr("nothing moves any more")));
+    EXPECT_THAT(meanings, Contains(HasSubstr("The part of all tests")));
 }
 
 TEST_F(PanelText, SaysWhetherWhatWasBeforeIsReplayed) {

@@ -71,8 +71,8 @@ public:
     std::vector<KeyHelp> help;  ///< shown by `settings->view.help`
     std::vector<KeyHelp> hint;  ///< what to try first, in a panel at the bottom; no lines: no panel
     int hover_x = -1,
-        hover_y = -1;          ///< of the pointer over the picture, where the node is named; -1: not known [pixel]
-    PanelWishes wishes;        ///< since they were last taken
+        hover_y = -1;    ///< of the pointer over the picture, where node or figure is explained; -1: not known [pixel]
+    PanelWishes wishes;  ///< since they were last taken
     double display_scale = 1;  ///< pixels for one of a usual display: text grows with it in steps, and lines do too
 
     /// The settings to which the settings panel's buttons lead back.
@@ -98,6 +98,9 @@ public:
 
     /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
     [[nodiscard]] virtual bool shows_timeline() const = 0;
+
+    /// Whether the pointer is over the stats panel, whose rows say there what they mean.
+    [[nodiscard]] virtual bool at_figures() const = 0;
 
 protected:
     ~Panels() = default;
