@@ -181,8 +181,8 @@ public:
         if (mark == 0) return;
         gl_(glEnable, GL_SCISSOR_TEST);
         gl_(glScissor, width - 2 * mark, height - 2 * mark, mark, mark);
-        gl_(glClearColor, 0.9f, 0.1f, 0.1f, 1.0f);
-        gl_(glClear, GL_COLOR_BUFFER_BIT);
+        constexpr float red[] = {0.9f, 0.1f, 0.1f, 1};
+        gl_(glClearBufferfv, GL_COLOR, 0, red);
         gl_(glDisable, GL_SCISSOR_TEST);
     }
 

@@ -29,7 +29,7 @@ struct Moment {
 using Picture = testing::TestWithParam<Moment>;
 
 TEST_P(Picture, ShowsTheState) {
-    const DrawnScene scene(GetParam().scene, GetParam().time);
+    const DrawnScene scene(GetParam().scene, GetParam().time, {"view.palette=studio"});
     EXPECT_THAT(complaints(picture_of(scene.view, picture_width, picture_height), scene.view), IsEmpty());
 }
 
