@@ -37,6 +37,9 @@ public:
         done_ = changes_.size();
     }
 
+    /// Whether there is one to take back.
+    [[nodiscard]] bool any() const { return done_ > 0; }
+
     /// That of the last change that is not taken back, or of the last again that is.
     Move next(bool again, const Settings& now) {
         while (again ? done_ < changes_.size() : done_ > 0) {

@@ -176,6 +176,9 @@ FrameView Window::seen() {
 void Window::draw(const FrameView& view) {
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
     for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
+    if (view.report->status == Status::Diverged && undo_.any()) {
+        texts.push_back("Ctrl+Z goes back to before the last change of a setting, and on without it");
+    }
     if (view.mode != nullptr) texts.push_back(text_of(*view.mode, !(view.report->step_limit_ratio > 1)));
     if (!scene_error_.empty()) texts.push_back(scene_error_);
     renderer_->draw(view, shown_, texts);
