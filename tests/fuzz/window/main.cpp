@@ -27,15 +27,16 @@ constexpr int events_a_window = 2000;  // then it is closed and its recording re
 constexpr double patience = 120;       // s, for an answer on a machine that is busy
 
 /// Keys that `drape` knows and some that it does not; none that quits.
-constexpr const char* keys[] = {
-    "space", "p",        "o",      "period", "shift+o", "r",         "shift+r",     "1",
-    "2",     "3",        "4",      "5",      "6",       "7",         "8",           "9",
-    "i",     "t",        "y",      "u",      "j",       "b",         "c",           "l",
-    "n",     "Tab",      "m",      "k",      "shift+k", "f",         "Left",        "a",
-    "Right", "d",        "Up",     "w",      "Down",    "s",         "Prior",       "e",
-    "Next",  "q",        "x",      "z",      "g",       "minus",     "equal",       "plus",
-    "v",     "h",        "F1",     "F2",     "F5",      "F12",       "bracketleft", "bracketright",
-    "comma", "question", "ctrl+a", "alt+b",  "Return",  "BackSpace", "shift+f",     "ctrl+r"};
+constexpr const char* keys[] = {"space",   "p",        "o",      "period", "shift+o", "r",           "shift+r",
+                                "1",       "2",        "3",      "4",      "5",       "6",           "7",
+                                "8",       "9",        "i",      "t",      "y",       "u",           "j",
+                                "b",       "c",        "l",      "n",      "Tab",     "m",           "k",
+                                "shift+k", "f",        "Left",   "a",      "Right",   "d",           "Up",
+                                "w",       "Down",     "s",      "Prior",  "e",       "Next",        "q",
+                                "x",       "z",        "g",      "minus",  "equal",   "plus",        "v",
+                                "h",       "F1",       "F2",     "F5",     "F12",     "bracketleft", "bracketright",
+                                "comma",   "question", "ctrl+a", "alt+b",  "Return",  "BackSpace",   "shift+f",
+                                "ctrl+r",  "ctrl+z",   "ctrl+y", "ctrl+s", "slash",   "F11"};
 
 /// What may be typed into a field.
 constexpr const char* typed[] = {"0", "1", "2", "5", "9", "period", "minus", "e", "x", "BackSpace"};
