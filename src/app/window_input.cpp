@@ -342,20 +342,20 @@ bool Window::change(const Command& command, int press) {
     return true;
 }
 
-// A run that has diverged since goes on from where the change was made
+// A run that has diverged since goes on from where the change was made, or begins again where that is forgotten
 void Window::undo(bool again) {
     const Simulation& simulation = session_.simulation();
     const SettingUndo::Move move = undo_.next(again, simulation.settings());
-    const bool goes_back = simulation.report().status == Status::Diverged && !again && !move.assignments.empty() &&
-                           move.step >= session_.timeline().oldest;
-    const bool was_paused = simulation.paused();
-    if (goes_back) go_to(move.step);
+    const bool goes_back = simulation.report().status == Status::Diverged && !again && !move.assignments.empty();
+    const bool is_kept = move.step >= session_.timeline().oldest, was_paused = simulation.paused();
+    if (goes_back && is_kept) go_to(move.step);
+    if (goes_back && !is_kept) carry_out(command::Reset{});
     std::string outcome;
     for (const std::string& assignment : move.assignments) {
         if (!carry_out(command::Set{assignment})) return;
         outcome += (outcome.empty() ? "" : ", ") + shortened(assignment);
     }
-    if (goes_back && !was_paused) carry_out(command::Pause{});
+    if (simulation.paused() != was_paused) carry_out(command::Pause{});
     notices_.add("outcome", outcome.empty()
                                 ? "No change of a setting is left to " + std::string(again ? "redo" : "undo")
                                 : outcome + " again");
