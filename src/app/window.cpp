@@ -320,7 +320,7 @@ void Window::start_scene() {
 
 void Window::take_panel_changes() {
     const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
-    if (wishes.step) go_to(*wishes.step);
+    if (wishes.back) go_to(session_.step_before_newest(*wishes.back));
     for (const std::string& assignment : wishes.changes) change(command::Set{assignment}, panel_presses_);
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));

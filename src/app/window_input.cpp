@@ -121,7 +121,7 @@ void Window::give(const Entry& entry) {
         steering_.release_all();
         std::erase_if(entries_, [](const Entry& old) { return old.manner == Manner::ReplayFile; });
         for (const std::string& file : recordings_in(".")) {
-            if (one_line(file) == file) entries_.push_back({"Replay", {}, file, "", Manner::ReplayFile});
+            if (one_line(file) == file) entries_.push_back({"Recordings", {}, file, "", Manner::ReplayFile});
         }
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }
@@ -143,6 +143,9 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Undo || entry.manner == Manner::Redo) return undo(entry.manner == Manner::Redo);
     for (const Command& command : commands_of(entry)) {
         if (!change(command)) continue;
+        // It shows nothing without a comparison
+        const ViewSettings& view = session_.simulation().settings().view;
+        if (view.colour == ColourBy::Difference && !session_.compares()) change(command);
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
@@ -173,6 +176,7 @@ void Window::leave_tour() {
 // What lies over the others, first. In the end it asks, and finds nothing to close while the question is on show
 bool Window::close_topmost() {
     const ViewSettings& view = session_.simulation().settings().view;
+    const Timeline timeline = session_.timeline();
     if (menu_->open()) {
         click_beside_menus();
     } else if (renderer_->panels().close_list()) {
@@ -185,6 +189,10 @@ bool Window::close_topmost() {
         leave_tour();
     } else if (session_.compares()) {
         carry_out(command::Compare{"none"});
+    } else if (timeline.replay) {
+        session_.leave_replay();
+    } else if (!timeline.is_live()) {
+        go_to(timeline.newest);
     } else if (!notices_.shows("quit")) {
         notices_.add("quit", "Press Esc again to quit");
         dirty_ = true;
@@ -255,9 +263,10 @@ void Window::on_motion(int x, int y) {
 
 void Window::on_passive_motion(int x, int y) {
     const Panels& panels = renderer_->panels();
-    dirty_ |= panels.at_figures();
+    const bool was_at_figures = panels.at_figures();
     at_panel({.x = x, .y = y});
-    dirty_ |= panels.at_figures() || session_.simulation().settings().view.bounds;
+    if (was_at_figures || panels.at_figures()) panel_frames_ = 8;
+    dirty_ |= session_.simulation().settings().view.bounds;
 }
 
 void Window::on_wheel(int, int notches, int x, int y) {
@@ -326,8 +335,8 @@ void Window::replay_file(const std::string& file) {
 std::vector<Command> Window::safe_step() {
     const double longest = session_.simulation().longest_step();
     if (!(longest > 0) || !std::isfinite(longest)) return {command::Reset{}};
-    const double step = std::min(session_.simulation().settings().solver.dt, 0.9 * longest);
-    return {command::Set{"solver.dt=" + real_text(step, 3)}, command::Reset{}};
+    if (session_.simulation().settings().solver.dt <= 0.9 * longest) return {command::Reset{}};
+    return {command::Set{"solver.dt=" + real_text(0.9 * longest, 3)}, command::Reset{}};
 }
 
 // By the user, who may take it back where it is one of a setting; what is seen is no part of the run

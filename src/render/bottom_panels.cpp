@@ -99,7 +99,7 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
     return height + margin;
 }
 
-PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted) {
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<double>& wanted) {
     const Timeline& timeline = view.timeline;
     const bool is_due = view.paused || timeline.replay || !timeline.is_live();
     const bool too_large = timeline.is_too_large();
@@ -114,24 +114,23 @@ PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::opt
     if (shown && !too_large) {
         const float from = box.left + pad, to = box.right - pad;
         const float middle = box.top + 2.2f * size;
-        const auto span = static_cast<double>(timeline.newest - timeline.oldest);
-        ImGui::SetCursorScreenPos({from, box.top + 1.6f * size});
-        ImGui::InvisibleButton("bar", {to - from, 1.2f * size});
+        const double kept = std::max(timeline.kept, 1e-9);
+        const auto place = [&](double back) { return to - static_cast<float>(back / kept) * (to - from); };
+        // As wide as its knob at the ends is
+        ImGui::SetCursorScreenPos({from - pad, box.top + 1.6f * size});
+        ImGui::InvisibleButton("bar", {to - from + 2 * pad, 1.2f * size});
         if (ImGui::IsItemActive()) {
-            const double part = std::clamp((ImGui::GetIO().MousePos.x - from) / (to - from), 0.0f, 1.0f);
-            const auto step = timeline.oldest + static_cast<std::int64_t>(std::lround(part * span));
-            if (step != timeline.now) wanted = step;
+            const double back = kept * std::clamp((to - ImGui::GetIO().MousePos.x) / (to - from), 0.0f, 1.0f);
+            if (back != timeline.back) wanted = back;
         }
-        // Back from the newest step, at most 20; the bar is one of steps
-        const double apart = std::pow(10, std::ceil(std::log10(std::max(timeline.kept, 1e-9) / 20)));
-        if (timeline.even) text_before({to, box.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
+        // Back from the newest step, at most 20
+        const double apart = std::pow(10, std::ceil(std::log10(kept / 20)));
+        text_before({to, box.top + 0.3f * size}, ink::quiet, format("ticks: %g s", apart));
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        for (double back = 0; timeline.even && back <= timeline.kept; back += apart) {
-            const float tick = to - static_cast<float>(back / std::max(timeline.kept, 1e-9)) * (to - from);
-            list.AddLine({tick, middle}, {tick, middle + 0.5f * size}, ink::quiet);
+        for (double back = 0; back <= kept; back += apart) {
+            list.AddLine({place(back), middle}, {place(back), middle + 0.5f * size}, ink::quiet);
         }
-        const auto passed = static_cast<float>(static_cast<double>(timeline.now - timeline.oldest) / span);
-        const float now = from + passed * (to - from);
+        const float now = place(timeline.back);
         list.AddRectFilled({from, middle - 0.15f * size}, {to, middle + 0.15f * size}, ink::lit, 2);
         list.AddRectFilled({from, middle - 0.15f * size}, {now, middle + 0.15f * size}, ink::bar, 2);
         list.AddCircleFilled({now, middle}, 0.45f * size, ink::text);

@@ -109,8 +109,15 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     append_choices(entries, "Hierarchy/BVH update policy", "contact.update", "U", "Next BVH update policy", "Methods");
     append_choices(entries, "View/Colour by", "view.colour", "J", "Colour the cloth by the next quantity", "View");
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
-        entries.push_back(
-            {"Compare", {}, text, std::string("scene ") + scene, Manner::Compare, {}, {}, change, versus});
+        entries.push_back({"Compare",
+                           {},
+                           std::string(text) + ", in " + scene,
+                           std::string("scene ") + scene,
+                           Manner::Compare,
+                           {},
+                           {},
+                           change,
+                           versus});
     };
     const char* fast =
         "contact.continuous=false,solver.dt=5e-3,solver.integrator=backward_euler,ball.velocity=0,1,60,view.speed=0.05";

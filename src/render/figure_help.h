@@ -16,8 +16,9 @@ inline std::string_view figure_help(std::string_view name) {
         {"FPS", "Pictures in a second. Coarse: on a slow display, what moves is drawn at half the size"},
         {"contacts", "Points where cloth touches a ball, a solid or the ground. Pairs: where cloth touches cloth"},
         {"tests saved",
-         "The part of all tests that the tree of bounding volumes saves, and how much faster the search is with it, as "
-         "measured in the last seconds. B shows the volumes"},
+         "The part of all tests, for balls and for cloth near cloth, that the tree of bounding volumes saves, and how "
+         "much "
+         "faster the search is with it, as measured in the last seconds. B shows the volumes"},
         {"tests, in all", "Tests of one search with the tree, and by brute force"},
         {"search, in all", "Time of one search with the tree"},
         {"by brute force", "Time of the same search without it"},
@@ -47,6 +48,10 @@ inline std::string_view figure_help(std::string_view name) {
         {"pairs", "Of these, pairs that touch"},
         {"fail-safe", "Particles that were held back so that cloth does not pass through cloth"},
         {"stretch", "The largest elongation of a structural spring"},
+        {"kinetic", "Energy of motion"},
+        {"gravity", "Energy of height"},
+        {"spring", "Energy of stretched and bent cloth"},
+        {"total", "The sum of the three energies above"},
         {"integrator loss", "Energy that the integrator's own errors take away"},
         {"to fail-safe", "Energy lost as particles were held back"},
         {"CPU", "Processor time of the program in a second; above 100 % with several threads"},

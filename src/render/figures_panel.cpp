@@ -66,6 +66,7 @@ Row report_row(const ReportField& field, const StepReport& report) {
 Row state_row(const FrameView& view) {
     const StepReport& report = *view.report;
     if (report.status == Status::Diverged) return {"state", "diverged", 4, ink::bad};
+    if (!view.timeline.is_computed) return {"state", "computing this moment", 4, ink::wait};
     if (view.paused) return {"state", report.asleep ? "paused, asleep" : "paused", 4, ink::wait};
     if (report.energy_gain_step > 0) return {"state", "running, gains energy", 4, ink::bad};
     if (in_doubt(report)) return {"state", "running, unsolved", 4, ink::bad};

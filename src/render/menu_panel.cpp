@@ -76,7 +76,10 @@ void MenuPanel::search() {
     // last what has no effect now
     const auto place = [this](std::size_t k) {
         const std::string text = small_letters(items_[k].text), keys = ", " + small_letters(items_[k].keys) + ", ";
-        const bool is_it = text == query_ || keys.find(", " + key_name(query_) + ", ") != std::string::npos;
+        const Setting* setting = items_[k].setting;
+        const bool is_label =
+            setting != nullptr && !items_[k].is_idle && small_letters(setting_label(*setting)) == query_;
+        const bool is_it = text == query_ || is_label || keys.find(", " + key_name(query_) + ", ") != std::string::npos;
         return std::tuple(!is_it, items_[k].is_idle, rank_of(text, query_), text.find(query_));
     };
     found_.clear();

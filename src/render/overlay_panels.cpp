@@ -282,7 +282,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const std::span fonts(fonts_.data(), size + 1);
     const bool help_is_tight = showing_help && h < 50 * font;
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
-    timeline_ = timeline_panel(view, page, wishes.step);
+    timeline_ = timeline_panel(view, page, wishes.back);
     if (shows_timeline()) page.height = timeline_.top;
     shown.controls ? settings.draw(view, page) : settings.hide();
     const float right = shown.controls ? settings.window.left - margin : w - margin;

@@ -45,9 +45,9 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page);
 /// The bar of time at the bottom, with Dear ImGui's widgets: where the run stands between the oldest step that is kept
 /// and the newest, or in the recording that is replayed. Nothing unless the run stands still, or is in its past, or is
 /// a replay.
-/// @param wanted receives the step that a drag on it asks for
+/// @param wanted receives how long before the newest step a drag on it asks for [s]
 /// @return where it is
-PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<std::int64_t>& wanted);
+PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<double>& wanted);
 
 /// The panel that says what the cloth's colours mean, at the lower right: a scale with numbers and a unit, or which
 /// colour is what. Nothing where there is no room.

@@ -112,7 +112,9 @@ void SettingsPanel::draw_row(const SettingRow& row) {
 
     if (row.of_the_scene && *row.of_the_scene != row.value) {
         ImGui::SameLine(window.width() - 4.5f * ImGui::GetFontSize());
-        if (ImGui::SmallButton("reset")) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
+        const bool resets = ImGui::SmallButton("reset");
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("to %s", value_text(*row.of_the_scene).c_str());
+        if (resets) wishes_.changes.push_back(row.name + "=" + value_text(*row.of_the_scene));
     }
     ImGui::PopID();
 }

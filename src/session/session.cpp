@@ -53,8 +53,7 @@ bool Session::save_recording(const std::filesystem::path& file) const {
 }
 
 void Session::replay(Recording recording) {
-    arrive();
-    if (any_lies_ahead()) take_over();
+    leave_replay();
     replay_ = std::move(recording);
     replay_notice_.clear();
     replay_differs_ = false;
@@ -122,7 +121,7 @@ void Session::begin_run(const Command& command) {
 }
 
 void Session::pass_moment(bool begins) {
-    const double length = dt() / simulation_.settings().view.speed;
+    const double length = simulation_.report().asleep ? 0 : dt() / simulation_.settings().view.speed;
     history_->pass(steps_made_, next_entry_, length, simulation_, comparison_, begins);
     const std::size_t first = history_->empty() ? next_entry_ : history_->first().next_entry;
     for (; first_entry_ < first; ++first_entry_) log_.pop_front();
@@ -196,19 +195,27 @@ Timeline Session::timeline() const {
     const bool is_in_gap = has_past && steps_made_ < history_->oldest().step;
     const std::int64_t oldest = is_in_gap ? history_->first().step : has_past ? history_->oldest().step : steps_made_;
     const std::int64_t now = target_.value_or(std::min(steps_made_, newest));
-    const double kept = step_times_.at(newest) - step_times_.at(oldest);
     return {.start = has_past ? history_->start(steps_made_).step : steps_made_,
             .oldest = oldest,
             .now = now,
             .newest = newest,
             .passed = step_times_.at(now) - replay_from_time_,
             .back = step_times_.at(newest) - step_times_.at(now),
-            .kept = kept,
-            .even = std::abs(2 * step_times_.at((oldest + newest) / 2) - step_times_.at(oldest) -
-                             step_times_.at(newest)) <= 2 * dt() + 1e-6 * kept,
+            .kept = step_times_.at(newest) - step_times_.at(oldest),
             .bytes = has_past ? history_->bytes() : 0,
             .replay = last_step_ > newest_,
-            .replay_from = replay_from_};
+            .replay_from = replay_from_,
+            .is_computed = !target_};
+}
+
+std::int64_t Session::step_before_newest(double seconds) const {
+    const std::int64_t newest = timeline().newest;
+    return seconds > 0 ? step_times_.nearest(step_times_.at(newest) - seconds) : newest;
+}
+
+void Session::leave_replay() {
+    arrive();
+    if (any_lies_ahead()) take_over();
 }
 
 FrameView Session::view() {
@@ -294,7 +301,7 @@ void Session::start_swing() {
 
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
-    if (is_new) step_times_.pass(steps_made_, was_over ? 0 : dt());
+    if (is_new) step_times_.pass(steps_made_, was_over || simulation_.report().asleep ? 0 : dt());
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
     const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
@@ -340,7 +347,9 @@ void Session::advance(double elapsed, double budget) {
     dropped_ += behind_ - kept;
     behind_ = kept;
     while (!simulation_.paused() && behind_ >= dt()) {
-        behind_ -= dt();
+        // Nobody watches once more how it slept
+        const bool slept = steps_made_ < newest_ && simulation_.report().asleep;
+        if (!slept) behind_ -= dt();
         step();
         if (watch.seconds() < budget || behind_ < dt()) continue;
 

@@ -76,6 +76,7 @@ TEST_F(DrawnMenu, FindsWholeWordsOfATitleFirst) {
     EXPECT_EQ(chosen_for("camera"), "frame");
     EXPECT_EQ(chosen_for("f"), "frame") << "its key";
     EXPECT_EQ(chosen_for("wind"), "next wind.on");
+    EXPECT_EQ(chosen_for("time step"), "none") << "the setting, not what resets";
     EXPECT_EQ(chosen_for("kdop"), "set contact.volume=kdop6") << "where a word begins";
 }
 

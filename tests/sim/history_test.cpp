@@ -131,6 +131,40 @@ TEST(History, TellsTheTimeOfStepsOfSeveralLengths) {
     EXPECT_EQ(session.timeline().kept, 104 * dt) << "the last change of the step came earlier than before";
 }
 
+TEST(History, HasNoTimeOfSleep) {
+    // Between its pins nothing moves
+    Traveller traveller(small_simulation({"cloth.particles=2,2", "cloth.pinned=four"}), {.seconds = 2});
+    Session& session = traveller.session;
+    const double dt = session.simulation().settings().solver.dt;
+    while (!session.simulation().report().asleep) traveller.run(1);
+    const std::int64_t awake = session.timeline().newest;
+    const double kept = session.timeline().kept;
+    traveller.run(static_cast<int>(5 / dt));
+    EXPECT_NEAR(session.timeline().kept, kept, 1.5 * dt);
+    EXPECT_EQ(session.timeline().oldest, 0) << "nothing is forgotten meanwhile";
+    session.send(parse_command("set wind.on=true"));
+    traveller.run(20);
+    EXPECT_NEAR(session.timeline().kept, kept + 20 * dt, 1.5 * dt);
+
+    // The bar of time, back over what was slept through
+    EXPECT_EQ(session.step_before_newest(0), session.timeline().newest);
+    EXPECT_EQ(session.step_before_newest(10 * dt), session.timeline().newest - 10);
+    EXPECT_NEAR(static_cast<double>(session.step_before_newest(kept + 10 * dt)), 10, 1);
+    EXPECT_TRUE(traveller.finds_again(awake - 5));
+    session.send(command::Pause{});
+    for (int k = 0; k < 20; ++k) session.advance(dt, no_hurry);
+    EXPECT_GT(session.timeline().now, awake + 1000) << "it plays the sleep at once";
+}
+
+TEST(History, SaysThatAStepIsStillComputed) {
+    Traveller traveller(small_simulation());
+    traveller.run(500);
+    traveller.session.go_to(450);
+    EXPECT_FALSE(traveller.session.timeline().is_computed);
+    go_to(traveller.session, 450);
+    EXPECT_TRUE(traveller.session.timeline().is_computed);
+}
+
 /// Of the state at the end of a recording that is replayed as it was made.
 std::uint64_t hash_of_replay(const std::string& file) {
     Session again(small_simulation());
@@ -230,6 +264,17 @@ TEST(History, LetsTheUserTakeOverFromAReplay) {
     EXPECT_THAT(session.take_news(), ElementsAre(Field(&News::text, HasSubstr("replay"))));
     make_steps(session, 100);
     EXPECT_FALSE(session.simulation().settings().wind.on);
+}
+
+TEST(History, LetsTheUserLeaveAReplay) {
+    Session session = replaying({{100, "set wind.on=true"}}, 500);
+    make_steps(session, 50);
+    session.leave_replay();
+    EXPECT_FALSE(session.timeline().replay);
+    make_steps(session, 100);
+    EXPECT_FALSE(session.simulation().settings().wind.on);
+    session.leave_replay();
+    EXPECT_EQ(session.timeline().newest, 150) << "there is none";
 }
 
 TEST(History, GoesForthAndBackInAReplayAndLeavesItsPausesAlone) {

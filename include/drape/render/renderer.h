@@ -61,7 +61,7 @@ struct PanelPointer {
 struct PanelWishes {
     std::vector<std::string> changes;       ///< of settings, as "solver.dt=0.001"
     std::optional<std::string> comparison;  ///< as `command::Compare` has it
-    std::optional<std::int64_t> step;       ///< to go to
+    std::optional<double> back;             ///< to go to, before the newest step [s]
     std::optional<std::size_t> entry;       ///< its number, of those of the drawn menu
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <deque>
 #include <iterator>
@@ -14,7 +15,8 @@ namespace drape {
 /// When each step of a run began, where the time step changes on the way: one entry for each change.
 class StepTimes {
 public:
-    /// A step is made, of this length; 0 while a run that has diverged stands still [s]. Steps come in order, from 0.
+    /// A step is made, of this length; 0 while a run stands still that has diverged or sleeps [s]. Steps come in order,
+    /// from 0.
     void pass(std::int64_t step, double dt) {
         if (changes_.empty() || changes_.back().dt != dt) changes_.push_back({step, at(step), dt});
     }
@@ -38,6 +40,14 @@ public:
         return change.time + static_cast<double>(step - change.step) * change.dt;
     }
 
+    /// The step that begins nearest to a time; of those without a length, one of both ends.
+    [[nodiscard]] std::int64_t nearest(double time) const {
+        if (changes_.empty()) return 0;
+        const auto after = std::ranges::upper_bound(changes_, time, {}, &Change::time);
+        const Change& change = after == changes_.begin() ? *after : *std::prev(after);
+        return change.step + (change.dt > 0 ? std::llround((time - change.time) / change.dt) : 0);
+    }
+
 private:
     struct Change {
         std::int64_t step;  ///< the first of its length
@@ -52,7 +62,7 @@ double moment_bytes(const Simulation& simulation);
 
 /// How much of the past is kept.
 struct HistoryLimits {
-    double seconds = 20;   ///< as they were watched: of simulated time, over `view.speed`
+    double seconds = 20;   ///< as they were watched: of simulated time, over `view.speed`, without sleep
     double bytes = 256e6;  ///< about, of memory
 };
 

@@ -60,6 +60,12 @@ public:
 
     [[nodiscard]] Timeline timeline() const;
 
+    /// The step so many seconds before the newest, as `Timeline::back` counts them.
+    [[nodiscard]] std::int64_t step_before_newest(double seconds) const;
+
+    /// Ends a replay, so that the run is the user's from here on.
+    void leave_replay();
+
     /// What there is to tell the user of since the last call: that a command has ended what lay ahead, or a comparison;
     /// and that a danger began that cloth and a ball or a solid pass through each other (`StepReport::crossing`), in a
     /// step that was made for the first time: one that the user goes back to and plays again is not told again,

@@ -32,13 +32,13 @@ struct Timeline {
     std::int64_t oldest = 0;  ///< that it can go back to
     std::int64_t now = 0;
     std::int64_t newest = 0;       ///< of the run so far, or of the recording that is replayed
-    double passed = 0;             ///< simulated time since the session or its replay began, resets included [s]
+    double passed = 0;             ///< since the session or its replay began, resets included, sleep left out [s]
     double back = 0;               ///< from the present step to the newest; in a replay, as if no time step changed [s]
     double kept = 0;               ///< from the oldest to the newest; likewise [s]
-    bool even = true;              ///< all steps that are kept have the same length
     double bytes = 0;              ///< of memory that the past takes, about
     bool replay = false;           ///< what lies ahead comes from a recording
     std::int64_t replay_from = 0;  ///< step at which it began
+    bool is_computed = true;       ///< the present step; else what is shown is one on the way there
 
     [[nodiscard]] bool is_live() const { return now == newest; }
 
