@@ -39,7 +39,7 @@ public:
     NewtonSystem(const Grid& grid, const IntegratorParameters& parameters)
         : tolerance_(tolerance_of(parameters)),
           newton_steps_(parameters.newton_steps),
-          max_momentum_change_(parameters.kind == IntegratorKind::ImplicitMidpoint ? 2 : 8),
+          max_momentum_change_(parameters.integrator == IntegratorKind::ImplicitMidpoint ? 2 : 8),
           forces_(grid, parameters.kernels, parameters.threads),
           jacobian_(grid, parameters.hessian, parameters.kernels, parameters.threads),
           inverse_(grid.particles(), 6),

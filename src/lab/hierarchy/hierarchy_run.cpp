@@ -80,7 +80,7 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     DRAPE_ASSERT(!simulation.balls().empty());
     const Cloth& cloth = simulation.cloths()[0];
     const Grid grid = cloth.model.grid;
-    const auto integrator = make_integrator(integrator_of(settings.solver), grid);
+    const auto integrator = make_integrator(settings.solver, grid);
 
     const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / dt)), 1);
     RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt, .from = wanted.from};
