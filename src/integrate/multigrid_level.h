@@ -14,17 +14,9 @@
 #include "drape/model/stencils.h"
 #include "kernels/stencil_kernels.h"
 #include "stencil_step.h"
+#include "symmetric_blocks.h"
 
 namespace drape {
-
-/// Adds a symmetric block to that of a node.
-template <class Blocks, class Block>
-void add_block(Blocks& blocks, int node, const Block& block) {
-    int entry = 0;
-    for (int r = 0; r < 3; ++r) {
-        for (int c = r; c < 3; ++c) blocks(node, entry++) += static_cast<typename Blocks::Scalar>(block(r, c));
-    }
-}
 
 /// The finest level of `Multigrid`, or one of every second column and row of a finer one, where that has more than two.
 struct MultigridLevel {
@@ -233,14 +225,10 @@ struct MultigridLevel {
                 float* const first = matrix.run(j, 0) + i;
                 const float more = least_part * (first[0] + first[3 * length] + first[5 * length]);
                 for (const int e : {0, 3, 5}) first[e * length] += more;
-                const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(i, j, 0);
-                const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
-                const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-                const double determinant = xx * cxx + xy * cxy + xz * cxz,
-                             scale = determinant > 0 ? 1 / determinant : 0;
-                const std::array of{cxx, cxy, cxz, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+                const auto [adjugate, determinant] = adjugate_of<double>(block(i, j, 0));
+                const double scale = determinant > 0 ? 1 / determinant : 0;
                 for (int e = 0; e < entries; ++e) {
-                    row_of(inverse, e, j)[i] = static_cast<float>(scale * of[static_cast<std::size_t>(e)]);
+                    row_of(inverse, e, j)[i] = static_cast<float>(scale * adjugate[static_cast<std::size_t>(e)]);
                 }
             }
         });
@@ -329,14 +317,12 @@ struct MultigridLevel {
     /// By powers of D^-1 A on a vector that changes from node to node.
     /// @pre `clear` was called, and b is still zero
     void find_bound() {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int j = 0; j < grid.ny; ++j) {
-                for (int i = 0; i < grid.nx; ++i) {
-                    const int turn = (7 * i + 13 * j + 29 * axis) % 11;
-                    row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
-                }
+        for_each_row(grid.ny, [&](int axis, int j) {
+            for (int i = 0; i < grid.nx; ++i) {
+                const int turn = (7 * i + 13 * j + 29 * axis) % 11;
+                row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
             }
-        }
+        });
         const auto norm = [](Runs& of) {
             double squares = 0;
             for (const float one : of.all()) squares += static_cast<double>(one) * one;
