@@ -157,7 +157,9 @@ private:
         const auto value = toml_value(node, setting.kind);
         const std::string name = setting.full_name();
         if (!value || !refusal(setting, *value).empty()) {
-            fail(node, name + " = " + toml_text(node) + ": allowed " + accepted(setting));
+            // A text has its quotes, lest it be taken for a number
+            const std::string shown = value && !node.is_string() ? shortened(value_text(*value)) : toml_text(node);
+            fail(node, name + " = " + shown + ": allowed " + accepted(setting));
         }
         setting.write(settings_, index, *value);
         if (name == "start") find_file(node, name, settings_.start);
