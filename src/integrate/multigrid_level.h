@@ -219,7 +219,7 @@ struct MultigridLevel {
     /// which single precision may have lost.
     void invert_diagonal() {
         const int length = matrix.runs.length;
-        for_rows(grid.ny, [&](int from, int end) {
+        for_rows([&](int from, int end) {
             for (int p = grid.particle(0, from); p < grid.particle(0, end); ++p) {
                 const int i = p % grid.nx, j = p / grid.nx;
                 float* const first = matrix.run(j, 0) + i;
@@ -317,7 +317,7 @@ struct MultigridLevel {
     /// By powers of D^-1 A on a vector that changes from node to node.
     /// @pre `clear` was called, and b is still zero
     void find_bound() {
-        for_each_row(grid.ny, [&](int axis, int j) {
+        for_each_row([&](int axis, int j) {
             for (int i = 0; i < grid.nx; ++i) {
                 const int turn = (7 * i + 13 * j + 29 * axis) % 11;
                 row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
@@ -340,17 +340,17 @@ struct MultigridLevel {
         bound = std::max(missed * bound, 1.0);
     }
 
-    /// Calls visit(from, end) for runs of some rows, shared among threads.
+    /// Calls visit(from, end) for runs of rows, shared among threads.
     template <class Visit>
-    void for_rows(int count, Visit visit) {
+    void for_rows(Visit visit) {
         workers.run(parts_of(grid),
-                    [&](int part, int among) { visit(count * part / among, count * (part + 1) / among); });
+                    [&](int part, int among) { visit(grid.ny * part / among, grid.ny * (part + 1) / among); });
     }
 
-    /// Calls visit(axis, j) for some rows of vectors, shared among threads.
+    /// Calls visit(axis, j) for all rows of vectors, shared among threads.
     template <class Visit>
-    void for_each_row(int count, Visit visit) {
-        for_rows(count, [&](int from, int end) {
+    void for_each_row(Visit visit) {
+        for_rows([&](int from, int end) {
             for (int j = from; j < end; ++j) {
                 for (int axis = 0; axis < 3; ++axis) visit(axis, j);
             }
@@ -359,7 +359,7 @@ struct MultigridLevel {
 
     /// b = P' r, with r of the finer level: a node gets half of what is between it and the next.
     void restrict_from(const MultigridLevel& fine) {
-        for_each_row(grid.ny, [&](int axis, int j) {
+        for_each_row([&](int axis, int j) {
             const auto row = [&](int k) {
                 return k >= 0 && k < finer.ny ? fine.row_of(fine.residual, axis, k) : nullptr;
             };
@@ -382,7 +382,7 @@ struct MultigridLevel {
 
     /// x += P c of the finer level, with c the x of this one: what is between two nodes gets half of each.
     void add_correction_to(MultigridLevel& fine) {
-        fine.for_each_row(finer.ny, [&](int axis, int j) {
+        fine.for_each_row([&](int axis, int j) {
             const int row = halves_rows() ? j / 2 : j, next = halves_rows() ? row + j % 2 : row;
             const float *const one = row_of(x, axis, row), *const other = row_of(x, axis, next);
             const auto at = [&](int i) { return (one[i] + other[i]) / 2; };

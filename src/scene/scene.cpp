@@ -56,17 +56,10 @@ std::optional<SettingValue> toml_value(const toml::node& node, SettingKind kind)
 
 /// The node as it might stand in a file, shortened, for messages.
 std::string toml_text(const toml::node& node) {
+    if (node.is_table()) return "a table";
     std::ostringstream out;
     out.imbue(std::locale::classic());
-    node.visit([&out](const auto& value) {
-        if constexpr (toml::is_table<decltype(value)>) {
-            out << "a table";
-        } else if constexpr (toml::is_array<decltype(value)>) {
-            out << toml::default_formatter(value);
-        } else {
-            out << value;
-        }
-    });
+    out << toml::default_formatter(node);
     return shortened(out.str());
 }
 

@@ -134,9 +134,8 @@ void Simulation::restart() {
     use_pins();
     contact_.use(settings_, cloths_);
     balls_.clear();
-    const std::size_t balls = settings_.balls.size();
     const bool balls_are_known = start_ && !start_->balls.empty();
-    for (std::size_t b = 0; b < balls; ++b) {
+    for (std::size_t b = 0; b < settings_.balls.size(); ++b) {
         balls_.push_back(make_ball(settings_.balls[b], report_.time, balls_are_known ? &start_->balls[b] : nullptr));
     }
     previous_balls_ = balls_;
