@@ -36,14 +36,12 @@ public:
         if (file_ < 0 || ::fstat(file_, &status) != 0) fail(std::string("cannot be read: ") + std::strerror(errno));
         const std::string odd = odd_kind(status.st_mode);
         const bool open_already = kind == InputKind::RegularOrOpen && is_open_already(name) && !S_ISDIR(status.st_mode);
-        if (!odd.empty() && !open_already) {
-            ::close(file_);
-            fail("is " + odd + ": allowed a regular file");
-        }
+        std::string why;
+        if (!odd.empty() && !open_already) why = "is " + odd + ": allowed a regular file";
         if (odd.empty() && static_cast<std::uintmax_t>(status.st_size) > largest) {
-            ::close(file_);
-            fail(std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest));
+            why = std::to_string(status.st_size) + " bytes: allowed at most " + std::to_string(largest);
         }
+        if (!why.empty()) ::close(file_), fail(why);
         ::fcntl(file_, F_SETFL, ::fcntl(file_, F_GETFL) & ~O_NONBLOCK);
     }
     ~Buffer() override { ::close(file_); }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -153,18 +152,16 @@ Vec3 smallest_sphere_centre(const Patch& patch) {
     return best;
 }
 
-BoundingSphere fit_welzl_sphere(const Patch& patch) { return sphere_about(patch, smallest_sphere_centre(patch)); }
-
 /// The smallest sphere about the ends of the lines, then grown. @cite larsson2008
 template <int lines>
 BoundingSphere fit_epos_sphere(const Patch& patch) {
     constexpr int count = 2 * lines;
-    if (patch.particles() <= count) return fit_welzl_sphere(patch);
+    if (patch.particles() <= count) return fit_smallest_sphere(patch);
     Real x[count], y[count], z[count];
     for (int line = 0, k = 0; line < lines; ++line) {
         for (const Vec3& p : ends_along(patch, line)) x[k] = p[0], y[k] = p[1], z[k] = p[2], ++k;
     }
-    return sphere_grown_from(fit_welzl_sphere({x, y, z, count, 1, count}), patch);
+    return sphere_grown_from(fit_smallest_sphere({x, y, z, count, 1, count}), patch);
 }
 
 BoundingSphere sphere_about_by_kernels(const Patch& patch, const Vec3& centre) {
@@ -189,13 +186,13 @@ BoundingSphere fit_box_by_kernels(const Patch& patch) {
 BoundingSphere (*sphere_fit_of(SphereFit kind, Kernels kernels))(const Patch&) {
     // In the order of the kinds
     constexpr std::array by_kernels{fit_centroid_by_kernels, fit_box_by_kernels};
-    constexpr std::array plain{BoundingSphere::fit, fit_box_sphere,      fit_ritter_sphere, fit_epos_sphere<3>,
-                               fit_epos_sphere<7>,  fit_epos_sphere<13>, fit_welzl_sphere};
+    constexpr std::array plain{BoundingSphere::fit, fit_box_sphere,      fit_ritter_sphere,  fit_epos_sphere<3>,
+                               fit_epos_sphere<7>,  fit_epos_sphere<13>, fit_smallest_sphere};
     static_assert(plain.size() == enum_count<SphereFit>, "every kind has its fit");
     const auto k = static_cast<std::size_t>(kind);
     return kernels == Kernels::Vector && k < by_kernels.size() ? by_kernels[k] : plain[k];
 }
 
-BoundingSphere fit_smallest_sphere(const Patch& patch) { return fit_welzl_sphere(patch); }
+BoundingSphere fit_smallest_sphere(const Patch& patch) { return sphere_about(patch, smallest_sphere_centre(patch)); }
 
 }  // namespace drape

@@ -88,7 +88,5 @@ inline constexpr int max_advances = 256;
 /// Of the distance of two features at the start: nothing comes nearer than this, and what would come nearer than
 /// somewhat more is stopped.
 inline constexpr Real nearest_part = Real(0.1), margin_part = Real(0.1);
-/// Of edges that are nearer to parallel, or triangles that are thinner, the direction across says nothing.
-inline constexpr Real min_sine = Real(1e-6);
 
 }  // namespace drape

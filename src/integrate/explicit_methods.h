@@ -11,7 +11,7 @@ namespace drape {
 class Euler final : public Integrator {
 public:
     Euler(const IntegratorParameters& parameters, const Grid& grid)
-        : symplectic_(parameters.kind == IntegratorKind::SymplecticEuler),
+        : symplectic_(parameters.integrator == IntegratorKind::SymplecticEuler),
           forces_(grid, parameters.kernels, parameters.threads) {}
 
     SolveReport step(const ClothModel& model, ClothState& state, Real h) override {

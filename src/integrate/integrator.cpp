@@ -48,11 +48,11 @@ const MethodRow& method_of(IntegratorKind kind) {
 }
 
 std::unique_ptr<Integrator> make_integrator(const IntegratorParameters& parameters, const Grid& grid) {
-    return method_of(parameters.kind).make(parameters, grid);
+    return method_of(parameters.integrator).make(parameters, grid);
 }
 
 double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid) {
-    const MethodRow& method = method_of(parameters.kind);
+    const MethodRow& method = method_of(parameters.integrator);
     // Factors of a square grid have O(n log n) entries
     const double log_n = std::bit_width(static_cast<unsigned>(grid.particles()));
     double of_particle = sizeof(Real) * method.numbers;
@@ -67,7 +67,7 @@ double bytes_of_method(const IntegratorParameters& parameters, const Grid& grid)
 
 Real tolerance_of(const IntegratorParameters& parameters) {
     if (parameters.tolerance > 0) return parameters.tolerance;
-    const MethodRow& method = method_of(parameters.kind);
+    const MethodRow& method = method_of(parameters.integrator);
     if (method.keeps != Keeps::NewtonSystem) return static_cast<Real>(method.tolerance);
     if (sizeof(Real) < 8) return Real(1e-4);
     return static_cast<Real>(parameters.hessian == Hessian::Exact ? 1e-8 : method.tolerance);

@@ -60,7 +60,7 @@ public:
             if (!model.pinned(p)) add_block(own_, p, inertia);
         }
         for (std::size_t direction = 0; direction < spring_directions.size(); ++direction) {
-            levels_[0].for_rows(grid.ny, [&](int from, int end) {
+            levels_[0].for_rows([&](int from, int end) {
                 jacobian.spring_blocks(direction, k_scale, d_scale, grid.particle(0, from),
                                        grid.particle(0, end - from), terms_);
             });
@@ -87,13 +87,13 @@ public:
     /// @par Cost O(n), that of about six products
     void cycle(const Points& r, Points& z) {
         Level& finest = levels_.front();
-        finest.for_each_row(finest.grid.ny, [&](int axis, int j) {
+        finest.for_each_row([&](int axis, int j) {
             const Real* const from = r.col(axis).data() + finest.grid.particle(0, j);
             std::transform(from, from + finest.grid.nx, finest.row_of(finest.b, axis, j),
                            [](Real one) { return static_cast<float>(one); });
         });
         solve(0);
-        finest.for_each_row(finest.grid.ny, [&](int axis, int j) {
+        finest.for_each_row([&](int axis, int j) {
             std::copy_n(finest.row_of(finest.x, axis, j), finest.grid.nx,
                         z.col(axis).data() + finest.grid.particle(0, j));
         });

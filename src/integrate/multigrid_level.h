@@ -14,17 +14,9 @@
 #include "drape/model/stencils.h"
 #include "kernels/stencil_kernels.h"
 #include "stencil_step.h"
+#include "symmetric_blocks.h"
 
 namespace drape {
-
-/// Adds a symmetric block to that of a node.
-template <class Blocks, class Block>
-void add_block(Blocks& blocks, int node, const Block& block) {
-    int entry = 0;
-    for (int r = 0; r < 3; ++r) {
-        for (int c = r; c < 3; ++c) blocks(node, entry++) += static_cast<typename Blocks::Scalar>(block(r, c));
-    }
-}
 
 /// The finest level of `Multigrid`, or one of every second column and row of a finer one, where that has more than two.
 struct MultigridLevel {
@@ -227,20 +219,16 @@ struct MultigridLevel {
     /// which single precision may have lost.
     void invert_diagonal() {
         const int length = matrix.runs.length;
-        for_rows(grid.ny, [&](int from, int end) {
+        for_rows([&](int from, int end) {
             for (int p = grid.particle(0, from); p < grid.particle(0, end); ++p) {
                 const int i = p % grid.nx, j = p / grid.nx;
                 float* const first = matrix.run(j, 0) + i;
                 const float more = least_part * (first[0] + first[3 * length] + first[5 * length]);
                 for (const int e : {0, 3, 5}) first[e * length] += more;
-                const auto [fxx, fxy, fxz, fyy, fyz, fzz] = block(i, j, 0);
-                const double xx = fxx, xy = fxy, xz = fxz, yy = fyy, yz = fyz, zz = fzz;
-                const double cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-                const double determinant = xx * cxx + xy * cxy + xz * cxz,
-                             scale = determinant > 0 ? 1 / determinant : 0;
-                const std::array of{cxx, cxy, cxz, xx * zz - xz * xz, xy * xz - xx * yz, xx * yy - xy * xy};
+                const auto [adjugate, determinant] = adjugate_of<double>(block(i, j, 0));
+                const double scale = determinant > 0 ? 1 / determinant : 0;
                 for (int e = 0; e < entries; ++e) {
-                    row_of(inverse, e, j)[i] = static_cast<float>(scale * of[static_cast<std::size_t>(e)]);
+                    row_of(inverse, e, j)[i] = static_cast<float>(scale * adjugate[static_cast<std::size_t>(e)]);
                 }
             }
         });
@@ -329,14 +317,12 @@ struct MultigridLevel {
     /// By powers of D^-1 A on a vector that changes from node to node.
     /// @pre `clear` was called, and b is still zero
     void find_bound() {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int j = 0; j < grid.ny; ++j) {
-                for (int i = 0; i < grid.nx; ++i) {
-                    const int turn = (7 * i + 13 * j + 29 * axis) % 11;
-                    row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
-                }
+        for_each_row([&](int axis, int j) {
+            for (int i = 0; i < grid.nx; ++i) {
+                const int turn = (7 * i + 13 * j + 29 * axis) % 11;
+                row_of(x, axis, j)[i] = ((i + j) % 2 == 0 ? 1.0F : -1.0F) * (1 + 0.1F * static_cast<float>(turn));
             }
-        }
+        });
         const auto norm = [](Runs& of) {
             double squares = 0;
             for (const float one : of.all()) squares += static_cast<double>(one) * one;
@@ -354,17 +340,17 @@ struct MultigridLevel {
         bound = std::max(missed * bound, 1.0);
     }
 
-    /// Calls visit(from, end) for runs of some rows, shared among threads.
+    /// Calls visit(from, end) for runs of rows, shared among threads.
     template <class Visit>
-    void for_rows(int count, Visit visit) {
+    void for_rows(Visit visit) {
         workers.run(parts_of(grid),
-                    [&](int part, int among) { visit(count * part / among, count * (part + 1) / among); });
+                    [&](int part, int among) { visit(grid.ny * part / among, grid.ny * (part + 1) / among); });
     }
 
-    /// Calls visit(axis, j) for some rows of vectors, shared among threads.
+    /// Calls visit(axis, j) for all rows of vectors, shared among threads.
     template <class Visit>
-    void for_each_row(int count, Visit visit) {
-        for_rows(count, [&](int from, int end) {
+    void for_each_row(Visit visit) {
+        for_rows([&](int from, int end) {
             for (int j = from; j < end; ++j) {
                 for (int axis = 0; axis < 3; ++axis) visit(axis, j);
             }
@@ -373,7 +359,7 @@ struct MultigridLevel {
 
     /// b = P' r, with r of the finer level: a node gets half of what is between it and the next.
     void restrict_from(const MultigridLevel& fine) {
-        for_each_row(grid.ny, [&](int axis, int j) {
+        for_each_row([&](int axis, int j) {
             const auto row = [&](int k) {
                 return k >= 0 && k < finer.ny ? fine.row_of(fine.residual, axis, k) : nullptr;
             };
@@ -396,7 +382,7 @@ struct MultigridLevel {
 
     /// x += P c of the finer level, with c the x of this one: what is between two nodes gets half of each.
     void add_correction_to(MultigridLevel& fine) {
-        fine.for_each_row(finer.ny, [&](int axis, int j) {
+        fine.for_each_row([&](int axis, int j) {
             const int row = halves_rows() ? j / 2 : j, next = halves_rows() ? row + j % 2 : row;
             const float *const one = row_of(x, axis, row), *const other = row_of(x, axis, next);
             const auto at = [&](int i) { return (one[i] + other[i]) / 2; };

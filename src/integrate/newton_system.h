@@ -11,16 +11,9 @@
 #include "grid_factor.h"
 #include "krylov.h"
 #include "multigrid.h"
+#include "symmetric_blocks.h"
 
 namespace drape {
-
-/// z = B r, with the symmetric 3 x 3 block of each node by its entries xx, xy, xz, yy, yz, zz.
-template <class Blocks, class From, class To>
-void multiply_blocks(const Blocks& blocks, const From& r, To&& z) {
-    z.col(0) = blocks.col(0) * r.col(0) + blocks.col(1) * r.col(1) + blocks.col(2) * r.col(2);
-    z.col(1) = blocks.col(1) * r.col(0) + blocks.col(3) * r.col(1) + blocks.col(4) * r.col(2);
-    z.col(2) = blocks.col(2) * r.col(0) + blocks.col(4) * r.col(1) + blocks.col(5) * r.col(2);
-}
 
 /// The linear system of one Newton step of an implicit method, (m I + s D + s^2 K) dv = r, for the free particles;
 /// dv of a pinned one is zero.
@@ -39,7 +32,7 @@ public:
     NewtonSystem(const Grid& grid, const IntegratorParameters& parameters)
         : tolerance_(tolerance_of(parameters)),
           newton_steps_(parameters.newton_steps),
-          max_momentum_change_(parameters.kind == IntegratorKind::ImplicitMidpoint ? 2 : 8),
+          max_momentum_change_(parameters.integrator == IntegratorKind::ImplicitMidpoint ? 2 : 8),
           forces_(grid, parameters.kernels, parameters.threads),
           jacobian_(grid, parameters.hessian, parameters.kernels, parameters.threads),
           inverse_(grid.particles(), 6),
@@ -233,12 +226,9 @@ private:
             if (a == b) add_block(inverse_, a, block);
         });
         for (Eigen::Index p = 0; p < inverse_.rows(); ++p) {
-            const Real xx = inverse_(p, 0), xy = inverse_(p, 1), xz = inverse_(p, 2);
-            const Real yy = inverse_(p, 3), yz = inverse_(p, 4), zz = inverse_(p, 5);
-            const Real cxx = yy * zz - yz * yz, cxy = xz * yz - xy * zz, cxz = xy * yz - xz * yy;
-            const Real scale = 1 / (xx * cxx + xy * cxy + xz * cxz);
-            inverse_.row(p) << scale * cxx, scale * cxy, scale * cxz, scale * (xx * zz - xz * xz),
-                scale * (xy * xz - xx * yz), scale * (xx * yy - xy * xy);
+            const auto [adjugate, determinant] = adjugate_of<Real>(inverse_.row(p));
+            const Real scale = 1 / determinant;
+            for (Eigen::Index e = 0; e < 6; ++e) inverse_(p, e) = scale * adjugate[static_cast<std::size_t>(e)];
         }
         for (const int p : pinned_) inverse_.row(p).setZero();
     }

@@ -14,7 +14,7 @@ namespace drape {
 class ThetaMethod final : public Integrator {
 public:
     ThetaMethod(const IntegratorParameters& parameters, const Grid& grid)
-        : theta_(parameters.kind == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
+        : theta_(parameters.integrator == IntegratorKind::BackwardEuler ? Real(1) : Real(0.5)),
           system_(grid, parameters),
           dx_(grid.particles(), 3),
           r_(grid.particles(), 3),

@@ -53,7 +53,6 @@ void collide(const CollideOptions& options) {
     Settings settings;
     settings.contact.thickness = 0;
     assign_all(settings, options.assignments);
-    const ContactSettings& contact = settings.contact;
     const Grid grid = parse_grid(options.grid);
     const Ball ball = parse_ball(options.ball);
     InputFile file(options.positions);
@@ -63,8 +62,8 @@ void collide(const CollideOptions& options) {
     Candidates found;
     std::vector<int> triangles;
     broad_phase->build(x);
-    const TraversalStats stats = broad_phase->query(grown(ball, contact.thickness), found);
-    find_touched_triangles(grid, x, ball, contact.thickness, found.cells, triangles, settings.solver.kernels);
+    const TraversalStats stats = broad_phase->query(grown(ball, settings.contact.thickness), found);
+    find_touched_triangles(grid, x, ball, settings.contact.thickness, found.cells, triangles, settings.solver.kernels);
 
     std::sort(triangles.begin(), triangles.end());
     std::cout << fmt::format("{}{}", fmt::join(triangles, "\n"), triangles.empty() ? "" : "\n") << std::flush;

@@ -19,11 +19,9 @@ bool is_pinned(const Pins& pins, const Grid& grid, int particle) {
             return first;
         case Pins::Kind::Border:
             return first || last || left || right;
-        case Pins::Kind::None:
-        case Pins::Kind::List:
+        default:
             return false;
     }
-    return false;
 }
 
 ClothModel make_cloth_model(const ClothParameters& parameters) {

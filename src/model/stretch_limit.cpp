@@ -50,14 +50,6 @@ void shorten(const ClothModel& model, int yielding, int a, int b, Real longest, 
     state.v.row(b) += part_b * parting * n.transpose();
 }
 
-/// Always in the order of the grid: where pins ask too much, sweeps to and fro would leave it all to a few springs.
-void sweep_springs(const ClothModel& model, int yielding, ClothState& state) {
-    for (const SpringStencil& springs : limited_springs(model)) {
-        const Real longest = (1 + model.stretch_limit) * springs.rest_length;
-        springs.for_each(model.grid, [&](int a, int b) { shorten(model, yielding, a, b, longest, state); });
-    }
-}
-
 }  // namespace
 
 Real largest_stretch(const ClothModel& model, const Points& x) {
@@ -75,8 +67,12 @@ Real stretch_excess(const ClothModel& model, const Points& x) {
 StretchReport limit_stretch(const ClothModel& model, int held, ClothState& state) {
     StretchReport report{.excess = stretch_excess(model, state.x)};
     while (report.excess > stretch_tolerance && report.sweeps < max_stretch_sweeps) {
-        const bool yields = report.sweeps >= max_stretch_sweeps / 2;
-        sweep_springs(model, yields ? held : -1, state);
+        const int yielding = report.sweeps < max_stretch_sweeps / 2 ? -1 : held;
+        // Always in the order of the grid: where pins ask too much, sweeps to and fro would leave it all to a few
+        for (const SpringStencil& springs : limited_springs(model)) {
+            const Real longest = (1 + model.stretch_limit) * springs.rest_length;
+            springs.for_each(model.grid, [&](int a, int b) { shorten(model, yielding, a, b, longest, state); });
+        }
         report.excess = stretch_excess(model, state.x);
         ++report.sweeps;
     }

@@ -19,7 +19,7 @@ double memory_needed(const Settings& settings) {
     for (const ClothParameters& cloth : settings.cloths) {
         const Grid& grid = cloth.particles;
         bytes += (bytes_of_particle + (settings.contact.self ? bytes_in_pairs : 0)) * grid.particles() +
-                 bytes_of_method(integrator_of(settings.solver), grid);
+                 bytes_of_method(settings.solver, grid);
     }
     return bytes;
 }

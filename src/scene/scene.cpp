@@ -40,51 +40,26 @@ bool append_numbers(const toml::array& array, bool rows, std::vector<double>& va
     return true;
 }
 
-/// A node's value in the form that a kind of setting has; nothing if the node is of another type.
+/// A node's value in the form that a kind of setting has, or in its own; nothing if it has none that a setting could.
 std::optional<SettingValue> toml_value(const toml::node& node, SettingKind kind) {
-    switch (kind) {
-        case SettingKind::Flag:
-            if (const auto* flag = node.as_boolean()) return flag->get();
-            return std::nullopt;
-        case SettingKind::Integer:
-        case SettingKind::Number:
-            if (const auto number = number_of(node)) return *number;
-            return std::nullopt;
-        case SettingKind::Choice:
-            if (const auto* flag = node.as_boolean()) return std::string(flag->get() ? "true" : "false");
-            [[fallthrough]];
-        case SettingKind::Text:
-            if (const auto* text = node.as_string()) return text->get();
-            return std::nullopt;
-        case SettingKind::Pins:
-            if (const auto* name = node.as_string()) return name->get();
-            [[fallthrough]];
-        case SettingKind::Grid:
-        case SettingKind::Size:
-        case SettingKind::Vector:
-        case SettingKind::Path: {
-            std::vector<double> values;
-            const toml::array* array = node.as_array();
-            if (array == nullptr || !append_numbers(*array, kind == SettingKind::Path, values)) return std::nullopt;
-            return values;
-        }
+    if (const auto* flag = node.as_boolean()) {
+        if (kind == SettingKind::Choice) return std::string(flag->get() ? "true" : "false");
+        return flag->get();
     }
-    return std::nullopt;
+    if (const auto number = number_of(node)) return *number;
+    if (const auto* text = node.as_string()) return text->get();
+    std::vector<double> values;
+    const toml::array* array = node.as_array();
+    if (array == nullptr || !append_numbers(*array, kind == SettingKind::Path, values)) return std::nullopt;
+    return values;
 }
 
 /// The node as it might stand in a file, shortened, for messages.
 std::string toml_text(const toml::node& node) {
+    if (node.is_table()) return "a table";
     std::ostringstream out;
     out.imbue(std::locale::classic());
-    node.visit([&out](const auto& value) {
-        if constexpr (toml::is_table<decltype(value)>) {
-            out << "a table";
-        } else if constexpr (toml::is_array<decltype(value)>) {
-            out << toml::default_formatter(value);
-        } else {
-            out << value;
-        }
-    });
+    out << toml::default_formatter(node);
     return shortened(out.str());
 }
 
@@ -173,12 +148,13 @@ private:
 
     void write(const toml::node& node, const Setting& setting, std::size_t index) {
         const auto value = toml_value(node, setting.kind);
-        if (!value) {
-            fail(node, setting.full_name() + " = " + toml_text(node) + ": allowed " + accepted(setting));
-        }
-        if (const std::string wrong = refusal(setting, *value); !wrong.empty()) fail(node, wrong);
-        setting.write(settings_, index, *value);
         const std::string name = setting.full_name();
+        if (!value || !refusal(setting, *value).empty()) {
+            // A text has its quotes, lest it be taken for a number
+            const std::string shown = value && !node.is_string() ? shortened(value_text(*value)) : toml_text(node);
+            fail(node, name + " = " + shown + ": allowed " + accepted(setting));
+        }
+        setting.write(settings_, index, *value);
         if (name == "start") find_file(node, name, settings_.start);
         if (name == "solid.file") find_file(node, name, settings_.solids[index].file);
     }

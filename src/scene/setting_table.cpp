@@ -318,10 +318,6 @@ std::vector<Setting> make_table() {
     add_solid(table);
     add_pins(table);
     add_the_rest(table);
-    for (Setting& setting : table) {
-        const std::string& section = setting.section;
-        setting.full_name_only = section == "solid" || section == "pins" || section == "ground";
-    }
     return table;
 }
 

@@ -61,10 +61,6 @@ ListForm list_form(const Setting& setting) {
     }
 }
 
-bool is_choice(const Setting& setting, std::string_view name) {
-    return std::ranges::find(setting.choices, name) != setting.choices.end();
-}
-
 bool is_list(const Setting& setting) { return list_form(setting).numbers > 0; }
 
 bool accepts_list(const Setting& setting, const Values& values) {
@@ -84,7 +80,7 @@ bool accepts(const Setting& setting, const SettingValue& value) {
     }
     const auto& chosen = std::get<std::string>(value);
     if (setting.kind == SettingKind::Text) return is_one_line(chosen);
-    return is_choice(setting, chosen);
+    return std::ranges::count(setting.choices, chosen) > 0;
 }
 
 std::string range_text(const Setting& setting) {
@@ -179,11 +175,13 @@ const Setting& find_setting(std::string_view name) {
     std::vector<std::string> names, endings;
     const Setting* found = nullptr;
     for (const Setting& setting : table) {
-        const std::string full = setting.full_name();
+        const std::string full = setting.full_name(), &section = setting.section;
         names.push_back(full);
         names.push_back(setting.name);
         if (full == name) return setting;
-        if (setting.name != name || setting.full_name_only) continue;
+        // Short names that these sections share with others are the others', which were there before
+        const bool has_short_name = section != "solid" && section != "pins" && section != "ground";
+        if (setting.name != name || !has_short_name) continue;
         found = &setting;
         endings.push_back(full);
     }

@@ -4,21 +4,10 @@
 #include <tuple>
 
 #include "drape/bounds/fold_test.h"
-#include "drape/integrate/stability.h"
 
 namespace drape {
 
 Vec3 gravity_of(const Settings& settings) { return {0, -settings.world.gravity, 0}; }
-
-IntegratorParameters integrator_of(const SolverSettings& solver) {
-    return {.kind = solver.integrator,
-            .hessian = solver.hessian,
-            .iterations = solver.iterations,
-            .tolerance = solver.tolerance,
-            .newton_steps = solver.newton_steps,
-            .threads = solver.threads,
-            .kernels = solver.kernels};
-}
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "drape/scene/start_state.h"
 
-#include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
 #include "drape/base/numbers.h"
 

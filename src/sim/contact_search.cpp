@@ -27,7 +27,9 @@ void ContactSearch::build(const MovingCloth& cloth, const ContactSettings& conta
 
 Real ContactSearch::reach(const Body& body, Real thickness) const {
     if (!looks_back_ || body.is_ground()) return 0;
-    return reach_of(moved_ + body.moved.norm(), body.radius + thickness);
+    // At half a ball's radius and thickness, or the thickness beside a solid, neither is on the wrong side of the other
+    const Real nearer = moved_ + body.moved.norm();
+    return 2 * nearer > body.radius + thickness ? nearer : Real(0);
 }
 
 TraversalStats ContactSearch::traverse(const Body& body, std::size_t number, Real thickness) {

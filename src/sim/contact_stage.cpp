@@ -85,8 +85,8 @@ void ContactStage::configure(const Settings& settings, const Settings& before, s
     if (settings.contact.self != before.contact.self) {
         std::erase_if(rows_, [](const ContactRow& row) { return row.kind == RowKind::Pair; });
         self_.use(settings, at_present(cloths));
-    } else if (!same_search) {
-        self_.use_hierarchy(settings, at_present(cloths));
+    } else if (!same_search && self_.on()) {
+        self_.use(search, at_present(cloths));
     }
     self_.use_threads(settings.solver.threads);
     const int ground = static_cast<int>(settings.balls.size() + settings.solids.size());

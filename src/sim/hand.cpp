@@ -1,7 +1,6 @@
 #include "drape/sim/hand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "drape/base/input_error.h"

@@ -137,11 +137,8 @@ std::string joined(std::initializer_list<std::string> clauses) {
 /// That balls which keys or forces move start where the scene has them, for the state in which the cloths start has
 /// none; empty if not so.
 std::string ball_start_warning(const Settings& settings, const std::optional<StartState>& start) {
-    const auto moves = [](const BallSettings& ball) {
-        return ball.motion == BallMotion::Keys || ball.motion == BallMotion::Free;
-    };
     const bool unknown = !settings.start.empty() && start && start->balls.empty();
-    if (!unknown || std::ranges::none_of(settings.balls, moves)) return {};
+    if (!unknown || std::ranges::none_of(settings.balls, moves_by_hand)) return {};
     return "start = " + settings.start + " has no balls: they start where the scene has them";
 }
 

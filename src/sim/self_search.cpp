@@ -71,14 +71,10 @@ void SelfSearch::use(const Settings& settings, std::span<const ClothInContact> c
     on_ = settings.contact.self;
     if (!on_) return;
     use_threads(settings.solver.threads);
-    use_hierarchy(settings, cloths);
+    use(broad_phase_of(settings), cloths);
     crossings_at_start_ = count_between(
         cloths, 0, [&](const auto& first, const auto& second) { return count_crossings(first, second, leaves_); });
     coincident_at_start_ = count_coincident(cloths);
-}
-
-void SelfSearch::use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths) {
-    if (on_) use(broad_phase_of(settings), cloths);
 }
 
 void SelfSearch::use(BroadPhaseParameters parameters, std::span<const ClothInContact> cloths) {

@@ -127,16 +127,15 @@ void Simulation::restart() {
         cloth.state = start_ ? start_->states[cloths_.size() - 1] : make_rest_state(parameters);
         stop_pins(cloth);
         cloth.previous = cloth.state;
-        cloth.integrator.use(integrator_of(settings_.solver), parameters.particles);
+        cloth.integrator.use(settings_.solver, parameters.particles);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
         cloth.energy.keep_ledger(settings_.solver.ledger, cloth.model, cloth.state);
     }
     use_pins();
     contact_.use(settings_, cloths_);
     balls_.clear();
-    const std::size_t balls = settings_.balls.size();
     const bool balls_are_known = start_ && !start_->balls.empty();
-    for (std::size_t b = 0; b < balls; ++b) {
+    for (std::size_t b = 0; b < settings_.balls.size(); ++b) {
         balls_.push_back(make_ball(settings_.balls[b], report_.time, balls_are_known ? &start_->balls[b] : nullptr));
     }
     previous_balls_ = balls_;
@@ -224,8 +223,8 @@ void Simulation::configure_cloth(std::size_t number, const Settings& before) {
         if (settings_.cloths[number].pinned != before.cloths[number].pinned) stop_pins(cloth);
         cloth.energy.restart(cloth.model, cloth.state, settings_.solver.kernels);
     }
-    const IntegratorParameters integrator = integrator_of(settings_.solver);
-    if (integrator != integrator_of(before.solver)) cloth.integrator.use(integrator, cloth.model.grid);
+    const IntegratorParameters &integrator = settings_.solver, &earlier = before.solver;
+    if (integrator != earlier) cloth.integrator.use(integrator, cloth.model.grid);
 }
 
 void Simulation::use_pins() {

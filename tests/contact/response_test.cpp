@@ -47,7 +47,7 @@ struct Floor {
     }
 
     void run(Real time) {
-        const auto integrator = make_integrator({.kind = IntegratorKind::SymplecticEuler}, model.grid);
+        const auto integrator = make_integrator({.integrator = IntegratorKind::SymplecticEuler}, model.grid);
         for (int step = 0; step < time / dt; ++step) {
             before = state.x;
             integrator->step(model, state, dt);

@@ -52,7 +52,7 @@ inline std::vector<IntegratorParameters> implicit_methods() {
     std::vector<IntegratorParameters> methods;
     for (const auto kind : {IntegratorKind::BackwardEuler, IntegratorKind::ImplicitMidpoint, IntegratorKind::Bdf2}) {
         for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
-            methods.push_back({.kind = kind, .hessian = hessian});
+            methods.push_back({.integrator = kind, .hessian = hessian});
         }
     }
     return methods;
@@ -64,21 +64,22 @@ inline std::vector<IntegratorParameters> all_methods() {
     for (const auto kind : {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
                             IntegratorKind::VelocityVerlet, IntegratorKind::Rk4, IntegratorKind::DormandPrince,
                             IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
-        methods.push_back({.kind = kind});
+        methods.push_back({.integrator = kind});
     }
     return methods;
 }
 
 /// What a message says of a method.
 inline std::string text_of(const IntegratorParameters& method) {
-    return std::string(name_of(method.kind)) + ", " + name_of(method.hessian);
+    return std::string(name_of(method.integrator)) + ", " + name_of(method.hessian);
 }
 
 /// The orders observed over two halvings of the step, against a far finer solution.
 inline std::array<Real, 2> observed_orders(const IntegratorParameters& parameters) {
     static const Sheet sheet;
     constexpr Real horizon = Real(0.1);
-    static const ClothState exact = after({.kind = IntegratorKind::Rk4}, sheet.model, sheet.start, horizon, 20000);
+    static const ClothState exact =
+        after({.integrator = IntegratorKind::Rk4}, sheet.model, sheet.start, horizon, 20000);
     std::array<Real, 3> errors{};
     for (std::size_t halving = 0; halving < 3; ++halving) {
         const int steps = 100 << halving;

@@ -13,7 +13,7 @@ using test::after;
 using test::Sheet;
 
 IntegratorParameters with_tolerance(Real tolerance) {
-    return {.kind = IntegratorKind::DormandPrince, .tolerance = tolerance};
+    return {.integrator = IntegratorKind::DormandPrince, .tolerance = tolerance};
 }
 
 TEST(DormandPrince, IsFiveToleratedErrorsFromTheTruthAtMost) {
@@ -21,7 +21,7 @@ TEST(DormandPrince, IsFiveToleratedErrorsFromTheTruthAtMost) {
     const Sheet sheet;
     constexpr Real horizon = 0.1;
     const Real spacing = std::min(sheet.model.hx, sheet.model.hy);
-    const ClothState exact = after({.kind = IntegratorKind::Rk4}, sheet.model, sheet.start, horizon, 20000);
+    const ClothState exact = after({.integrator = IntegratorKind::Rk4}, sheet.model, sheet.start, horizon, 20000);
     Real last = std::numeric_limits<Real>::infinity();
     for (const Real tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
         const ClothState now = after(with_tolerance(tolerance), sheet.model, sheet.start, horizon, 6);

@@ -22,7 +22,7 @@ static_assert(std::size(kinds) == enum_count<Kind>, "every method is here");
 
 /// The method, as accurate as it can be.
 IntegratorParameters accurate(Kind kind) {
-    return {.kind = kind, .hessian = Hessian::Exact, .iterations = 50, .tolerance = Real(1e-11)};
+    return {.integrator = kind, .hessian = Hessian::Exact, .iterations = 50, .tolerance = Real(1e-11)};
 }
 
 /// A cloth of structural springs alone, whose particles weigh `mass` each.

@@ -24,7 +24,7 @@ TEST(ImplicitMethods, SolveTheirSystem) {
         for (const Real h : {1e-3, 1.0 / 30, 0.1}) {
             for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
                 const auto integrator = make_integrator(
-                    {.kind = IntegratorKind::BackwardEuler, .hessian = hessian, .tolerance = Real(1e-6)}, grid);
+                    {.integrator = IntegratorKind::BackwardEuler, .hessian = hessian, .tolerance = Real(1e-6)}, grid);
                 ClothState state = start;
                 const SolveReport report = integrator->step(sheet.model, state, h);
                 const Points dv = state.v - start.v;
@@ -66,7 +66,7 @@ TEST(ImplicitMethods, AreTheSameInAMovingFrame) {
             ClothState state = make_rest_state(parameters);
             for (Eigen::Index p = 0; p < state.v.rows(); ++p) state.v(p, 1) = std::sin(static_cast<Real>(p));
             state.v.col(0).array() += speed;
-            const auto integrator = make_integrator({.kind = kind, .tolerance = Real(1e-10)}, model.grid);
+            const auto integrator = make_integrator({.integrator = kind, .tolerance = Real(1e-10)}, model.grid);
             for (int step = 0; step < 60; ++step) integrator->step(model, state, Real(1) / 60);
             return Points(state.x.rowwise() - state.x.colwise().mean());
         };
@@ -93,7 +93,7 @@ TEST(ImplicitMethods, FollowTheHandsThatCarryACloth) {
 TEST(Bdf2, StartsAnewByBackwardEulerWhenSomethingWasTouched) {
     const Sheet sheet;
     const auto begins_anew = [&](auto touch) {
-        const auto bdf2 = make_integrator({.kind = IntegratorKind::Bdf2}, sheet.model.grid);
+        const auto bdf2 = make_integrator({.integrator = IntegratorKind::Bdf2}, sheet.model.grid);
         ClothModel model = sheet.model;
         ClothState state = sheet.start;
         Real h = 0.01;
@@ -101,7 +101,7 @@ TEST(Bdf2, StartsAnewByBackwardEulerWhenSomethingWasTouched) {
         touch(model, state, h);
         ClothState euler = state;
         bdf2->step(model, state, h);
-        make_integrator({.kind = IntegratorKind::BackwardEuler}, model.grid)->step(model, euler, h);
+        make_integrator({.integrator = IntegratorKind::BackwardEuler}, model.grid)->step(model, euler, h);
         return (state.v - euler.v).norm() < 1e-13 && (state.x - euler.x).norm() < 1e-14;
     };
     EXPECT_FALSE(begins_anew([](ClothModel&, ClothState&, Real&) {}));
@@ -125,7 +125,7 @@ ClothParameters hung_sheet() {
 std::vector<ClothState> swing(IntegratorKind kind, int newton_steps, int steps, int parts = 1) {
     const ClothParameters parameters = hung_sheet();
     const ClothModel model = make_cloth_model(parameters);
-    const auto integrator = make_integrator({.kind = kind, .newton_steps = newton_steps}, model.grid);
+    const auto integrator = make_integrator({.integrator = kind, .newton_steps = newton_steps}, model.grid);
     std::vector<ClothState> states{make_rest_state(parameters)};
     for (int k = 0; k < steps; ++k) {
         states.push_back(states.back());

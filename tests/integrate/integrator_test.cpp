@@ -20,20 +20,20 @@ TEST(Integrators, ReachTheirOrders) {
     const struct {
         IntegratorParameters method;
         Real order;
-    } cases[] = {{{.kind = Kind::ExplicitEuler}, 1},
-                 {{.kind = Kind::SymplecticEuler}, 1},
-                 {{.kind = Kind::VelocityVerlet}, 2},
-                 {{.kind = Kind::Rk4}, 4},
-                 {{.kind = Kind::BackwardEuler, .hessian = Hessian::Exact}, 1},
-                 {{.kind = Kind::ImplicitMidpoint, .hessian = Hessian::Exact}, 2},
-                 {{.kind = Kind::Bdf2, .hessian = Hessian::Exact}, 2},
+    } cases[] = {{{.integrator = Kind::ExplicitEuler}, 1},
+                 {{.integrator = Kind::SymplecticEuler}, 1},
+                 {{.integrator = Kind::VelocityVerlet}, 2},
+                 {{.integrator = Kind::Rk4}, 4},
+                 {{.integrator = Kind::BackwardEuler, .hessian = Hessian::Exact}, 1},
+                 {{.integrator = Kind::ImplicitMidpoint, .hessian = Hessian::Exact}, 2},
+                 {{.integrator = Kind::Bdf2, .hessian = Hessian::Exact}, 2},
                  // What the clamped Hessian leaves out costs no order, as a step begins where it leads
-                 {{.kind = Kind::BackwardEuler, .hessian = Hessian::Clamped}, 1},
-                 {{.kind = Kind::ImplicitMidpoint, .hessian = Hessian::Clamped}, 2},
-                 {{.kind = Kind::Bdf2, .hessian = Hessian::Clamped}, 2},
-                 {{.kind = Kind::Xpbd, .iterations = 1}, 1},
-                 {{.kind = Kind::Xpbd, .iterations = 20}, 1},
-                 {{.kind = Kind::ProjectiveDynamics}, 1}};
+                 {{.integrator = Kind::BackwardEuler, .hessian = Hessian::Clamped}, 1},
+                 {{.integrator = Kind::ImplicitMidpoint, .hessian = Hessian::Clamped}, 2},
+                 {{.integrator = Kind::Bdf2, .hessian = Hessian::Clamped}, 2},
+                 {{.integrator = Kind::Xpbd, .iterations = 1}, 1},
+                 {{.integrator = Kind::Xpbd, .iterations = 20}, 1},
+                 {{.integrator = Kind::ProjectiveDynamics}, 1}};
     for (const auto& one : cases) {
         for (const Real observed : test::observed_orders(one.method)) {
             EXPECT_GT(observed, one.order - 0.15) << text_of(one.method);
@@ -61,8 +61,8 @@ TEST(Integrators, ThatSolveForTheNewStateMoveAHeldParticleAsTheHandDoes) {
     const Sheet sheet;
     const Real h = 0.01;
     std::vector<IntegratorParameters> methods = test::implicit_methods();
-    methods.push_back({.kind = Kind::Xpbd});
-    methods.push_back({.kind = Kind::ProjectiveDynamics});
+    methods.push_back({.integrator = Kind::Xpbd});
+    methods.push_back({.integrator = Kind::ProjectiveDynamics});
     for (const IntegratorParameters& method : methods) {
         const auto integrator = make_integrator(method, sheet.model.grid);
         ClothState state = sheet.start;
@@ -87,7 +87,7 @@ TEST(Integrators, ConserveMomentumWithoutGravity) {
     const auto momentum = [](const ClothState& s) { return s.v.colwise().sum().eval(); };
     for (const Kind kind : {Kind::ExplicitEuler, Kind::SymplecticEuler, Kind::VelocityVerlet, Kind::Rk4, Kind::Xpbd,
                             Kind::ProjectiveDynamics}) {
-        const ClothState state = after({.kind = kind}, sheet.model, sheet.start, 0.2, 400);
+        const ClothState state = after({.integrator = kind}, sheet.model, sheet.start, 0.2, 400);
         const Real scale = sheet.start.v.cwiseAbs().sum();
         EXPECT_LT((momentum(state) - momentum(sheet.start)).norm(), 1e-11 * scale) << name_of(kind);
     }
@@ -96,7 +96,7 @@ TEST(Integrators, ConserveMomentumWithoutGravity) {
 TEST(Integrators, GoOnFromTheStateAlone) {
     // An integrator that has stepped elsewhere, with another step, goes on as a new one does
     const Sheet sheet;
-    const ClothState elsewhere = after({.kind = Kind::Rk4}, sheet.model, sheet.start, 0.05, 100);
+    const ClothState elsewhere = after({.integrator = Kind::Rk4}, sheet.model, sheet.start, 0.05, 100);
     for (const IntegratorParameters& method : all_methods()) {
         const auto used = make_integrator(method, sheet.model.grid);
         ClothState state = sheet.start;
@@ -134,7 +134,7 @@ TEST(Integrators, AllocateNothingAfterTheFirstStep) {
             integrator->step(sheet.model, state, 1e-3);
             const auto before = test::allocations();
             // Another step is another matrix, for which projective dynamics alone makes room
-            const Real other = method.kind == Kind::ProjectiveDynamics ? 1e-3 : 0.05;
+            const Real other = method.integrator == Kind::ProjectiveDynamics ? 1e-3 : 0.05;
             for (const Real h : {Real(1e-3), other, other}) integrator->step(sheet.model, state, h);
             EXPECT_EQ(test::allocations(), before) << text_of(method);
         }

@@ -28,7 +28,7 @@ Real imbalance(const ClothModel& model, const ClothState& before, const ClothSta
 TEST(Xpbd, SolvesBackwardEulersEquationsWhenItsPassesSettleButForTheTurningOfSprings) {
     const Sheet sheet;
     const auto step = [&](int iterations, Real h) {
-        const IntegratorParameters parameters{.kind = IntegratorKind::Xpbd, .iterations = iterations};
+        const IntegratorParameters parameters{.integrator = IntegratorKind::Xpbd, .iterations = iterations};
         return imbalance(sheet.model, sheet.start, after(parameters, sheet.model, sheet.start, h, 1), h);
     };
     EXPECT_LT(step(300, 1e-2), 0.05);
@@ -43,7 +43,8 @@ TEST(ProjectiveDynamics, SolvesBackwardEulersEquationsOfUndampedSpringsWhenItsRo
     sheet.model.drag = 0.01;
     constexpr Real h = 0.01;
     const auto step = [&](int iterations) {
-        const IntegratorParameters parameters{.kind = IntegratorKind::ProjectiveDynamics, .iterations = iterations};
+        const IntegratorParameters parameters{.integrator = IntegratorKind::ProjectiveDynamics,
+                                              .iterations = iterations};
         return imbalance(sheet.model, sheet.start, after(parameters, sheet.model, sheet.start, h, 1), h);
     };
     EXPECT_LT(step(300), 1e-12);
@@ -57,7 +58,7 @@ TEST(PositionalMethods, StayWithinReachAtLongStepsAndStiffSprings) {
         for (const IntegratorKind kind : {IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
             for (const int iterations : {1, 20}) {
                 const ClothState now =
-                    after({.kind = kind, .iterations = iterations}, sheet.model, sheet.start, 20, 400);
+                    after({.integrator = kind, .iterations = iterations}, sheet.model, sheet.start, 20, 400);
                 EXPECT_LT(now.x.cwiseAbs().maxCoeff(), 5) << name_of(kind) << ", " << iterations << ", " << damping;
             }
         }
@@ -66,11 +67,12 @@ TEST(PositionalMethods, StayWithinReachAtLongStepsAndStiffSprings) {
 
 TEST(ProjectiveDynamics, StepsLikeNewAfterAnyChangeOfTheModel) {
     Sheet sheet;
-    const auto used = make_integrator({.kind = IntegratorKind::ProjectiveDynamics}, sheet.model.grid);
+    const auto used = make_integrator({.integrator = IntegratorKind::ProjectiveDynamics}, sheet.model.grid);
     const auto expect_like_new = [&](Real h, const char* change) {
         ClothState one = sheet.start, other = sheet.start;
         used->step(sheet.model, one, h);
-        make_integrator({.kind = IntegratorKind::ProjectiveDynamics}, sheet.model.grid)->step(sheet.model, other, h);
+        make_integrator({.integrator = IntegratorKind::ProjectiveDynamics}, sheet.model.grid)
+            ->step(sheet.model, other, h);
         EXPECT_EQ(one.x, other.x) << change;
     };
     expect_like_new(0.01, "nothing");

@@ -37,7 +37,7 @@ TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
         for (const IntegratorKind kind :
              {IntegratorKind::SymplecticEuler, IntegratorKind::VelocityVerlet, IntegratorKind::Rk4}) {
             const Real predicted = sheet.predicted(kind);
-            const Real measured = measured_limit(sheet.model, sheet.state, {.kind = kind}, Real(0.7) * predicted);
+            const Real measured = measured_limit(sheet.model, sheet.state, {.integrator = kind}, Real(0.7) * predicted);
             EXPECT_NEAR(measured / predicted, 1, 0.03) << name_of(kind) << ", " << sheet.model.grid.nx
                                                        << " a side, damping " << sheet.model.structural.damping;
         }
@@ -47,7 +47,7 @@ TEST(LongMeasuredLimit, IsThePredictedOneWithinThreePercent) {
 TEST(LongMeasuredLimit, DoesNotDependOnWhereTheSearchStarts) {
     const TrialSheet sheet(8, 1e3, 0);
     const auto measured = [&](Real guess) {
-        return measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::SymplecticEuler}, guess);
+        return measured_limit(sheet.model, sheet.state, {.integrator = IntegratorKind::SymplecticEuler}, guess);
     };
     const Real from_below = measured(Real(1e-4));
     // From above, and where nothing is guessed
@@ -62,8 +62,8 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
         for (const int steps : {3000, 12000}) {
             const Real expected = observable_limit_of_explicit_euler(sheet.model, sheet.state, fastest.omega,
                                                                      fastest.zeta, Kernels::Vector, steps);
-            const Real measured =
-                measured_limit(sheet.model, sheet.state, {.kind = IntegratorKind::ExplicitEuler}, expected / 2, steps);
+            const Real measured = measured_limit(sheet.model, sheet.state,
+                                                 {.integrator = IntegratorKind::ExplicitEuler}, expected / 2, steps);
             EXPECT_NEAR(measured / expected, 1, 0.15) << "damping " << damping << ", steps " << steps;
             EXPECT_GT(measured, sheet.predicted(IntegratorKind::ExplicitEuler));
         }
@@ -73,7 +73,7 @@ TEST(LongMeasuredLimit, OfExplicitEulerIsTheOneThatItsGrowthFromNoiseTakes) {
 TEST(TriedStep, FailsByLeavingTheReachOfTheSheet) {
     TrialSheet sheet(8, 1e3, 0);
     sheet.state.v.col(0).setConstant(5);
-    EXPECT_EQ(try_step(sheet.model, sheet.state, {.kind = IntegratorKind::VelocityVerlet}, Real(2e-4)),
+    EXPECT_EQ(try_step(sheet.model, sheet.state, {.integrator = IntegratorKind::VelocityVerlet}, Real(2e-4)),
               TrialEnd::OutOfReach);
 }
 
@@ -93,7 +93,8 @@ TEST(Unconditional, BackwardEulerAndBdf2AreWithTheClampedHessian) {
     for (const auto kind : {BackwardEuler, Bdf2}) {
         for (const double stiffness : {1e2, 1e4, 1e6}) {
             for (const Real damping : {Real(0), Real(0.1)}) {
-                EXPECT_EQ(tried({.kind = kind}, static_cast<Real>(stiffness), Real(0.05), damping), TrialEnd::Bounded)
+                EXPECT_EQ(tried({.integrator = kind}, static_cast<Real>(stiffness), Real(0.05), damping),
+                          TrialEnd::Bounded)
                     << name_of(kind) << ", stiffness " << stiffness << ", damping " << damping;
             }
         }
@@ -103,26 +104,26 @@ TEST(Unconditional, BackwardEulerAndBdf2AreWithTheClampedHessian) {
 // The permanent fault of the test above: the other Hessian in its place
 TEST(Unconditional, BackwardEulerAndBdf2AreNotWithTheExactHessian) {
     for (const auto kind : {BackwardEuler, Bdf2}) {
-        const IntegratorParameters method{.kind = kind, .hessian = Hessian::Exact};
+        const IntegratorParameters method{.integrator = kind, .hessian = Hessian::Exact};
         EXPECT_EQ(tried(method, Real(1e5), Real(1) / 30), TrialEnd::EnergyRose) << name_of(kind);
     }
 }
 
 TEST(Unconditional, ImplicitMidpointIsNotWithAnyHessian) {
     for (const Hessian hessian : {Hessian::Clamped, Hessian::Exact}) {
-        const IntegratorParameters method{.kind = ImplicitMidpoint, .hessian = hessian};
+        const IntegratorParameters method{.integrator = ImplicitMidpoint, .hessian = hessian};
         EXPECT_EQ(tried(method, Real(1e5), Real(0.05)), TrialEnd::EnergyRose);
         EXPECT_EQ(tried(method, Real(1e5), Real(1e-3)), TrialEnd::Bounded);
     }
 }
 
 TEST(Unconditional, PositionalMethodsDoNotGrowButLeaveStiffSpringsStretched) {
-    const IntegratorParameters one{.kind = Xpbd, .iterations = 1}, many{.kind = Xpbd, .iterations = 20};
-    const IntegratorParameters projective{.kind = ProjectiveDynamics};
+    const IntegratorParameters one{.integrator = Xpbd, .iterations = 1}, many{.integrator = Xpbd, .iterations = 20};
+    const IntegratorParameters projective{.integrator = ProjectiveDynamics};
     const Real frame = Real(1) / 60;
     for (const auto& method : {one, many, projective}) {
-        EXPECT_EQ(tried(method, Real(1e6), frame), TrialEnd::Stretched) << name_of(method.kind);
-        EXPECT_EQ(tried(method, Real(1e2), frame), TrialEnd::Bounded) << name_of(method.kind);
+        EXPECT_EQ(tried(method, Real(1e6), frame), TrialEnd::Stretched) << name_of(method.integrator);
+        EXPECT_EQ(tried(method, Real(1e2), frame), TrialEnd::Bounded) << name_of(method.integrator);
     }
     // Where one iteration is not enough, twenty are
     EXPECT_EQ(tried(one, Real(1e4), frame), TrialEnd::Stretched);

@@ -35,7 +35,7 @@ struct BlownFlag {
     /// How far it has been blown in the mean [m].
     [[nodiscard]] Real blown(IntegratorKind kind, Real time, Real step) const {
         const int steps = static_cast<int>(std::lround(time / step));
-        return test::after({.kind = kind}, model, start, time, steps).x.col(2).mean();
+        return test::after({.integrator = kind}, model, start, time, steps).x.col(2).mean();
     }
 };
 

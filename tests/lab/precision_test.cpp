@@ -83,11 +83,13 @@ TEST(Precision, FindsTheOrderOfAMethod) {
     const Reference reference = find_reference(soft());
     const std::array counts{128, 512};
     using enum IntegratorKind;
-    EXPECT_NEAR(order_on(soft(), reference, {.kind = SymplecticEuler}, counts), 1, 0.1);
-    EXPECT_NEAR(order_on(soft(), reference, {.kind = VelocityVerlet}, counts), 2, 0.1);
-    EXPECT_NEAR(order_on(soft(), reference, {.kind = Rk4}, counts), 4, 0.15);
-    EXPECT_NEAR(order_on(soft(), reference, {.kind = ImplicitMidpoint, .hessian = Hessian::Exact}, counts), 2, 0.2);
-    EXPECT_NEAR(order_on(soft(), reference, {.kind = ImplicitMidpoint, .hessian = Hessian::Clamped}, counts), 2, 0.2);
+    EXPECT_NEAR(order_on(soft(), reference, {.integrator = SymplecticEuler}, counts), 1, 0.1);
+    EXPECT_NEAR(order_on(soft(), reference, {.integrator = VelocityVerlet}, counts), 2, 0.1);
+    EXPECT_NEAR(order_on(soft(), reference, {.integrator = Rk4}, counts), 4, 0.15);
+    EXPECT_NEAR(order_on(soft(), reference, {.integrator = ImplicitMidpoint, .hessian = Hessian::Exact}, counts), 2,
+                0.2);
+    EXPECT_NEAR(order_on(soft(), reference, {.integrator = ImplicitMidpoint, .hessian = Hessian::Clamped}, counts), 2,
+                0.2);
 }
 
 TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
@@ -95,7 +97,7 @@ TEST(Precision, ContactMakesRk4AMethodOfFirstOrder) {
     ASSERT_TRUE(scene.has_ball());
     for (Rung& rung : scene.reference) rung.steps /= 1 << 5;
     const std::array counts{64, 256};
-    const IntegratorParameters rk4{.kind = IntegratorKind::Rk4};
+    const IntegratorParameters rk4{.integrator = IntegratorKind::Rk4};
     const double touched = order_on(scene, find_reference(scene), rk4, counts);
     EXPECT_NEAR(touched, 1, 0.3);
     scene.horizon = Real(0.19);  // just before the impact, where errors are those of rounding

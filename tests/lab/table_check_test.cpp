@@ -34,11 +34,11 @@ Row good_row(const Experiment& experiment) {
     return row;
 }
 
-TableRow good_texts(const Experiment& experiment) {
+std::vector<std::string> good_texts(const Experiment& experiment) {
     return good_row(experiment).texts(experiment.columns, experiment.digits);
 }
 
-std::string line_with(const std::string& number, const TableRow& row) {
+std::string line_with(const std::string& number, const std::vector<std::string>& row) {
     std::string line = number;
     for (const std::string& cell : row) line += "," + cell;
     return line + "\n";
@@ -81,7 +81,7 @@ std::string refusal(const std::string& text) try {
 TEST(TableCheck, TakesNoCellThatIsMoreThanAWordOrANumber) {
     const auto with = [&](const std::string& cell) {
         Text text;
-        TableRow row = good_texts(experiment_of("stability"));
+        std::vector<std::string> row = good_texts(experiment_of("stability"));
         row[0] = cell;
         text.rows = Text::row("3") + line_with("3", row) + Text::row("4");
         return refusal(text.all());
@@ -148,8 +148,8 @@ TEST(TableCheck, ReadsWhatARunHasWrittenUnlessItIsCutOffAnywhere) {
 TEST(TableRow, HasWholeNumbersAsTheyAreAndDigitsOfOthersAndItsColumnsWordForNothing) {
     const Columns columns{"a", "b", Column{"c", "none"}, Column{"d", ""}, quartile_columns("e_s")};
     const Row row{{"a", 1234567}, {"b", 0.12345678}, {"d", no_number}, {"e_s", Quartiles{1, 2, 3}}};
-    EXPECT_EQ(row.texts(columns, 3), (TableRow{"1234567", "0.123", "none", "", "2", "1", "3"}));
-    EXPECT_EQ(Row({{"a", no_number}, {"b", 1e6}}).texts({"a", "b"}, 6), (TableRow{"nan", "1e+06"}));
+    EXPECT_EQ(row.texts(columns, 3), (std::vector<std::string>{"1234567", "0.123", "none", "", "2", "1", "3"}));
+    EXPECT_EQ(Row({{"a", no_number}, {"b", 1e6}}).texts({"a", "b"}, 6), (std::vector<std::string>{"nan", "1e+06"}));
     EXPECT_THROW((void)row.texts({"a", "b"}, 3), RunError) << "a cell that no column has";
     EXPECT_THROW((void)Row({{"a", "word"}}).number("a"), InputError);
 }

@@ -60,7 +60,7 @@ Moving start_ours(const ClothParameters& sheet, Real h, const IntegratorParamete
 Points solved(const ClothParameters& sheet, Real tolerance, bool off = false) {
     constexpr int parts = 32;
     const Moving moving =
-        start_ours(sheet, horizon / parts, {.kind = IntegratorKind::DormandPrince, .tolerance = tolerance}, off);
+        start_ours(sheet, horizon / parts, {.integrator = IntegratorKind::DormandPrince, .tolerance = tolerance}, off);
     for (int part = 0; part < parts; ++part) moving.step();
     return moving.positions();
 }
@@ -160,11 +160,12 @@ std::vector<ClothMethod> cloth_methods() {
     add("Bullet btSoftBody 10", start_position_based, 10);
     add("Bullet deformable explicit", start_mass_spring, false);
     add("Bullet deformable implicit", start_mass_spring, true);
-    add("Drape symplectic Euler", ours, Parameters{.kind = IntegratorKind::SymplecticEuler});
-    add("Drape XPBD 1", ours, Parameters{.kind = IntegratorKind::Xpbd, .iterations = 1});
-    add("Drape XPBD 10", ours, Parameters{.kind = IntegratorKind::Xpbd, .iterations = 10});
-    add("Drape backward Euler", ours, Parameters{.kind = IntegratorKind::BackwardEuler});
-    add("Drape backward Euler Newton 2", ours, Parameters{.kind = IntegratorKind::BackwardEuler, .newton_steps = 2});
+    add("Drape symplectic Euler", ours, Parameters{.integrator = IntegratorKind::SymplecticEuler});
+    add("Drape XPBD 1", ours, Parameters{.integrator = IntegratorKind::Xpbd, .iterations = 1});
+    add("Drape XPBD 10", ours, Parameters{.integrator = IntegratorKind::Xpbd, .iterations = 10});
+    add("Drape backward Euler", ours, Parameters{.integrator = IntegratorKind::BackwardEuler});
+    add("Drape backward Euler Newton 2", ours,
+        Parameters{.integrator = IntegratorKind::BackwardEuler, .newton_steps = 2});
     return methods;
 }
 

@@ -41,7 +41,7 @@ struct NewtonStep {
 
     NewtonStep(const ClothParameters& sheet, Real time) : model(make_cloth_model(sheet)) {
         ClothState state = make_rest_state(sheet);
-        const auto integrator = make_integrator({.kind = IntegratorKind::BackwardEuler}, model.grid);
+        const auto integrator = make_integrator({.integrator = IntegratorKind::BackwardEuler}, model.grid);
         for (Real now = 0; now < time; now += picture) integrator->step(model, state, picture);
         ForceSweep(model.grid, Kernels::Vector).compute(model, state.x, state.v, b);
         jacobian.linearise(model, state.x, state.v);

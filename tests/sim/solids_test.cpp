@@ -174,7 +174,7 @@ TEST(Solids, BadSettingsAreNamedWithTheirLine) {
         return input_error_of([&] { parse_scene("[cloth]\n[[solid]]\n" + lines, "mine.toml"); });
     };
     EXPECT_THAT(error_of("shape = \"cone\""),
-                HasSubstr("mine.toml:3:9: solid.shape = cone: allowed 'box', 'capsule' or 'mesh'"));
+                HasSubstr("mine.toml:3:9: solid.shape = 'cone': allowed 'box', 'capsule' or 'mesh'"));
     EXPECT_THAT(error_of("size = [1, 0, 1]"),
                 HasSubstr("mine.toml:3:8: solid.size = [1, 0, 1]: allowed three numbers"));
     EXPECT_THAT(error_of("axis = [0, 0, 0]"),

@@ -32,11 +32,6 @@ struct SearchedBody {
     Real reach = 0;
 };
 
-/// The reach of a search: by how much a body and cloth have come nearer to each other within a substep, at most; 0
-/// where that is too little for one to be on the wrong side of the other.
-/// @param room half of it is too little: a ball's radius and thickness, or the thickness beside a solid [m]
-[[nodiscard]] inline Real reach_of(Real nearer, Real room) { return 2 * nearer > room ? nearer : Real(0); }
-
 /// The touched triangles, exactly: those whose distance to the ball's centre is at most radius + thickness.
 /// @param x n x 3 [m]
 /// @param cells candidate cells

@@ -27,7 +27,7 @@ enum class IntegratorKind {
 
 /// What an integrator is made from; each reads what concerns it.
 struct IntegratorParameters {
-    IntegratorKind kind = IntegratorKind::VelocityVerlet;
+    IntegratorKind integrator = IntegratorKind::VelocityVerlet;
     Hessian hessian = Hessian::Clamped;  ///< of backward Euler, implicit midpoint and BDF2
     int iterations = 10;                 ///< of XPBD and projective dynamics in one step
     Real tolerance = 0;                  ///< see `tolerance_of`; 0: the method's own

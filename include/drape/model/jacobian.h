@@ -48,16 +48,6 @@ public:
 
     using Block = Eigen::Matrix<Real, 3, 3>;
 
-    /// Calls visit(a, b, block) for each spring of a direction by its ends: what it adds to the symmetric part of
-    /// k_scale K + d_scale D at (a, a) and (b, b), and takes away at (a, b) and (b, a).
-    template <class Visit>
-    void for_each_spring(std::size_t direction, Real k_scale, Real d_scale, Visit visit) const {
-        const Family& family = families_[direction];
-        if (family.none()) return;
-        const Real along = family.along(k_scale, d_scale);
-        family.springs.for_each(grid_, [&](int a, int b) { visit(a, b, block(family, a, along, k_scale)); });
-    }
-
     /// The blocks of the springs of a direction, xx, xy, xz, yy, yz, zz by their first particles, and zero where there
     /// is no spring; of some particles.
     /// @param blocks n x 6, the rows of these particles overwritten
@@ -84,7 +74,8 @@ public:
         }
     }
 
-    /// Calls visit(a, b, block) for what every triangle in the wind adds to it: where a is b, and once for each pair.
+    /// Calls visit(a, b, block) for what every triangle in the wind adds to k_scale K + d_scale D: where a is b, and
+    /// once for each pair.
     template <class Visit>
     void for_each_wind_block(Real d_scale, Visit visit) const {
         for (int triangle = 0; triangle < wind_.rows(); ++triangle) {
@@ -94,11 +85,14 @@ public:
         }
     }
 
-    /// The same of springs and triangles, in a fixed order. Air drag is left out.
+    /// The same of springs and triangles, in a fixed order: what they add to the symmetric part. Air drag is left out.
     template <class Visit>
     void for_each_block(Real k_scale, Real d_scale, Visit visit) const {
-        for (std::size_t direction = 0; direction < families_.size(); ++direction) {
-            for_each_spring(direction, k_scale, d_scale, [&](int a, int b, const Block& added) {
+        for (const Family& family : families_) {
+            if (family.none()) continue;
+            const Real along = family.along(k_scale, d_scale);
+            family.springs.for_each(grid_, [&](int a, int b) {
+                const Block added = block(family, a, along, k_scale);
                 visit(a, a, added);
                 visit(b, b, added);
                 visit(a, b, -added);

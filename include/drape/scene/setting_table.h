@@ -46,8 +46,7 @@ struct Setting {
     std::function<void(Settings&, std::size_t, const SettingValue&)> write;  ///< the value was checked
     const SeveralSections* several = nullptr;                                ///< null: the section stands once
 
-    double usual_high = 0;        ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
-    bool full_name_only = false;  ///< its short name belongs to another setting that was there before
+    double usual_high = 0;  ///< where a slider ends, if more is accepted than is of use; 0: see `slider_scale`
 
     struct Word {
         double value;

@@ -67,15 +67,10 @@ struct PinSettings {
 /// many substeps as its limit asks for; or end with the state.
 enum class OnUnstable { Warn, Substep, Stop };
 
-struct SolverSettings {
-    IntegratorKind integrator = IntegratorKind::VelocityVerlet;
-    Hessian hessian = Hessian::Clamped;
-    int iterations = 10;
-    Real tolerance = 0;
-    int newton_steps = 1;
-    int threads = 1;
-    Kernels kernels = Kernels::Vector;  ///< of forces, hierarchy and detection
-    double dt = 2e-4;                   ///< in every precision: it counts steps and time
+/// The integrator, and what steps are made by it. Its kernels are those of hierarchy and detection too; its threads
+/// share the search where cloths touch.
+struct SolverSettings : IntegratorParameters {
+    double dt = 2e-4;  ///< in every precision: it counts steps and time
     OnUnstable on_unstable = OnUnstable::Warn;
     Real sleep_speed = Real(2e-4);  ///< slower than this for half a second, a scene falls asleep; 0: never [m/s]
     bool ledger = false;            ///< keep the balance of the energy
@@ -226,10 +221,6 @@ struct Settings {
 
 /// Of cloths and free balls [m/s^2].
 [[nodiscard]] Vec3 gravity_of(const Settings& settings);
-
-/// The integrator that the settings name. Only the methods with a limit share their work among threads: with other
-/// threads the others keep what they remember.
-[[nodiscard]] IntegratorParameters integrator_of(const SolverSettings& solver);
 
 /// The response that the settings name.
 [[nodiscard]] ResponseParameters response_of(const Settings& settings);

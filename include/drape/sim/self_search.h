@@ -37,7 +37,6 @@ public:
     void use(const Settings& settings, std::span<const ClothInContact> cloths);
 
     /// Goes on with other hierarchies, which find the same.
-    void use_hierarchy(const Settings& settings, std::span<const ClothInContact> cloths);
     void use(BroadPhaseParameters parameters, std::span<const ClothInContact> cloths);
 
     /// What it finds does not depend on them.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <span>
 
 #include "drape/bounds/broad_phase.h"
 #include "drape/bounds/quadtree_nodes.h"

@@ -1,6 +1,5 @@
 #include "drape/contact/near_pairs.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <span>

@@ -80,10 +80,6 @@ void for_each_row(const ContactProblem& problem, Visit visit) {
     }
 }
 
-inline RowImpulse& accumulated(ContactRow& row, Quantity quantity) {
-    return quantity == Quantity::Displacement ? row.displacement : row.impulse;
-}
-
 inline Real& target_of(RowState& state, Quantity quantity) { return state.targets[static_cast<std::size_t>(quantity)]; }
 
 /// Whether bodies meet faster than a few steps of gravity would make them; if not, they rest on each other.

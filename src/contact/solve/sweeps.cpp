@@ -38,7 +38,7 @@ Real stop_motor(const ContactProblem& problem, const ContactRow& row, RowState& 
 /// @return the square of how much that changes its motion [m^2 or m^2/s^2]
 Real solve_row(const ContactProblem& problem, ContactMotion& motion, bool friction_alone, ContactRow& row,
                RowState& state) {
-    RowImpulse& total = accumulated(row, motion.quantity);
+    RowImpulse& total = motion.quantity == Quantity::Displacement ? row.displacement : row.impulse;
     if (friction_alone && total.normal == 0) return 0;
     const Vec3 moves = relative(problem, motion, row, state);
     const Real along = moves.dot(row.normal), lacks = target_of(state, motion.quantity) - along;

@@ -9,7 +9,7 @@ ContactTrial::ContactTrial(Settings of, const std::optional<StartState>& start)
         cloth.model = make_cloth_model(settings.cloths[c]);
         cloth.model.gravity = gravity_of(settings);
         cloth.state = start ? start->states[c] : make_rest_state(settings.cloths[c]);
-        cloth.integrator.use(integrator_of(settings.solver), cloth.model.grid);
+        cloth.integrator.use(settings.solver, cloth.model.grid);
         cloth.energy.restart(cloth.model, cloth.state, settings.solver.kernels);
     }
     for (const BallSettings& ball : settings.balls) {

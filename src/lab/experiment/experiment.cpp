@@ -42,12 +42,12 @@ double Row::number(const std::string& column) const {
     throw InputError("a row has '" + shortened(cell) + "' for the number '" + column + "'");
 }
 
-TableRow Row::texts(const Columns& columns, int digits) const {
+std::vector<std::string> Row::texts(const Columns& columns, int digits) const {
     for (const auto& [name, cell] : cells_) {
         if (std::ranges::find(columns, name, &Column::name) != columns.end()) continue;
         throw RunError("a row has a cell for '" + name + "', and its table no such column");
     }
-    TableRow texts;
+    std::vector<std::string> texts;
     for (const Column& column : columns) {
         const std::string cell = has(column.name) ? word(column.name) : column.if_none;
         const auto number = parse_real(cell);

@@ -33,9 +33,6 @@ struct Columns : std::vector<Column> {
 /// The column of a median, NAME_UNIT, and those of its quartiles, NAME_lower_UNIT and NAME_upper_UNIT.
 Columns quartile_columns(const char* median);
 
-/// One line of an experiment's table, a text a column.
-using TableRow = std::vector<std::string>;
-
 /// What has a name: a method, a scene.
 template <class Thing>
 concept Named = requires(const Thing& thing) {
@@ -77,10 +74,10 @@ public:
     [[nodiscard]] double number(const std::string& column) const;
     [[nodiscard]] std::string word(const std::string& column) const { return cells_.at(column); }
 
-    /// What a table has of it.
+    /// What a table has of it, a text a column.
     /// @param digits of a number that is not a whole one
     /// @throws RunError if it has a cell that no column has
-    [[nodiscard]] TableRow texts(const Columns& columns, int digits) const;
+    [[nodiscard]] std::vector<std::string> texts(const Columns& columns, int digits) const;
 
 private:
     std::map<std::string, std::string> cells_;

@@ -170,7 +170,7 @@ void write_table(const Experiment& experiment, const ExperimentTable& table, con
     for (const auto& [number, rows] : table.cases) {
         DRAPE_ASSERT(!rows.empty());
         for (const Row& row : rows) {
-            const TableRow texts = row.texts(experiment.columns, experiment.digits);
+            const auto texts = row.texts(experiment.columns, experiment.digits);
             out.stream() << fmt::format("{},{}\n", number, fmt::join(texts, ","));
         }
     }

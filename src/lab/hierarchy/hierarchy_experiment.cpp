@@ -216,12 +216,6 @@ ExperimentCases budgets(bool quick) {
     return cases_of(scene_motions(quick ? 40 : 120), families(quick ? 1 : 4, 4), add_rows);
 }
 
-/// The part of the particles that has moved farther than a distance since the frame before.
-double moved_part(const RecordedMotion& motion, std::size_t frame, Real distance) {
-    const auto moved = (motion.x[frame] - motion.x[frame - 1]).rowwise().norm().array();
-    return static_cast<double>((moved > distance).count()) / static_cast<double>(moved.size());
-}
-
 /// Between frames: from one step of the scene on, a number of steps [s].
 std::set<double> intervals(const std::string& scene, bool quick) {
     const auto wanted =
@@ -245,6 +239,7 @@ ExperimentCases break_evens(bool quick) {
             double sum = 0, sum_of_rebuild = 0;
             for (std::size_t k = 1; k < motion.x.size(); ++k) {
                 const FrameRun& frame = runs[parameters.update][k];
+                const auto moved = (motion.x[k] - motion.x[k - 1]).rowwise().norm().array();
                 sum += cost(frame);
                 sum_of_rebuild += cost(runs[UpdateKind::Rebuild][k]);
                 rows.push_back(row_of(motion, parameters, {&frame, 1}));
@@ -252,7 +247,7 @@ ExperimentCases break_evens(bool quick) {
                                  {"whole_s", cost(frame)},
                                  {"cumulative_s", sum},
                                  {"cumulative_s_over_rebuild_s", sum / sum_of_rebuild},
-                                 {"moved", moved_part(motion, k, runs[UpdateKind::Refit][k].slack)}});
+                                 {"moved", (moved > runs[UpdateKind::Refit][k].slack).cast<double>().mean()}});
             }
         }
     };

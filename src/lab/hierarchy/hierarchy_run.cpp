@@ -42,13 +42,6 @@ double mean_of(const std::vector<double>& values) {
 /// A query of a small cloth is hardly longer than reading the clock: so many are timed together.
 constexpr int queries_in_a_row = 8;
 
-/// What reading the clock twice costs [s].
-double clock_cost() {
-    std::vector<double> costs(1001);
-    for (double& cost : costs) cost = cpu_time_of([] {});
-    return quartiles_of(costs).median;
-}
-
 /// Ends the run where a search and brute force do not find the same triangles. Where the search has ended early, the
 /// nodes that it has not opened must hold what it has not found.
 /// @param triangles, expected ascending
@@ -80,7 +73,7 @@ RecordedMotion record_motion(const MotionWanted& wanted, Settings settings) {
     DRAPE_ASSERT(!simulation.balls().empty());
     const Cloth& cloth = simulation.cloths()[0];
     const Grid grid = cloth.model.grid;
-    const auto integrator = make_integrator(integrator_of(settings.solver), grid);
+    const auto integrator = make_integrator(settings.solver, grid);
 
     const int steps_between = std::max(static_cast<int>(std::lround(wanted.interval / dt)), 1);
     RecordedMotion motion{.scene = wanted.scene, .grid = grid, .interval = steps_between * dt, .from = wanted.from};
@@ -160,7 +153,9 @@ std::vector<FrameRun> follow(const RecordedMotion& motion, BroadPhase& hierarchy
         if (plan.tightness_every == 0 || k % static_cast<std::size_t>(plan.tightness_every) != 0) continue;
         frames.back().counts.set(tightness_of(hierarchy, motion.grid, motion.x[k]));
     }
-    const double clock = clock_cost();
+    std::vector<double> costs_of_clock(1001);
+    for (double& cost : costs_of_clock) cost = cpu_time_of([] {});
+    const double clock = quartiles_of(costs_of_clock).median;  // read twice [s]
     const auto seconds = [clock](int runs, const auto& work) {
         return std::max(cpu_time_of(work, runs) - clock / runs, 0.0);
     };

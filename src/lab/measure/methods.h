@@ -31,19 +31,16 @@ inline std::vector<Method> methods_named(std::initializer_list<std::string> name
         const auto hessian = value_named<Hessian>(variant);
         const auto kind = value_named<IntegratorKind>(iterations || hessian ? name.substr(0, end) : name);
         DRAPE_ASSERT(kind.has_value());
-        Method& method = methods.emplace_back(Method{name, {.kind = *kind}});
+        Method& method = methods.emplace_back(Method{name, {.integrator = *kind}});
         if (hessian) method.parameters.hessian = *hessian;
         if (iterations) method.parameters.iterations = static_cast<int>(*iterations);
     }
     return methods;
 }
 
-/// A scene that is moved by a method: its kind, Hessian, iterations and tolerance.
+/// A scene that is moved by a method.
 inline Settings with_method(Settings scene, const IntegratorParameters& method) {
-    scene.solver.integrator = method.kind;
-    scene.solver.hessian = method.hessian;
-    scene.solver.iterations = method.iterations;
-    scene.solver.tolerance = method.tolerance;
+    static_cast<IntegratorParameters&>(scene.solver) = method;
     return scene;
 }
 

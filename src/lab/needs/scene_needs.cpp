@@ -24,10 +24,7 @@ Points between_steps(const Cloth& cloth, Real s, Real dt) {
 }
 
 /// RMS distance of some points from their centre [m].
-double spread(const Points& x) {
-    const Points from_centre = x.rowwise() - x.colwise().mean();
-    return std::sqrt(static_cast<double>(from_centre.squaredNorm()) / static_cast<double>(x.rows()));
-}
+double spread(const Points& x) { return position_error(x, x.colwise().mean().replicate(x.rows(), 1)); }
 
 /// The larger of two; what is no number is larger than all, so that it is not missed.
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }

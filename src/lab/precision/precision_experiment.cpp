@@ -41,7 +41,7 @@ PrecisionScene dropped(bool quick) {
     ball.motion = BallMotion::Still;
     settings.solver.sleep_speed = 0;
     const auto rung = [quick](int parts) {
-        return Rung{{.kind = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};
+        return Rung{{.integrator = IntegratorKind::VelocityVerlet}, (quick ? 1 << 20 : 1 << 21) / parts};
     };
     return {"contact", settings, Real(0.24), 0, quick ? 512 : 2048, 8, {rung(16), rung(2), rung(1)}};
 }
@@ -50,7 +50,7 @@ PrecisionScene dropped(bool quick) {
 /// Dormand-Prince has falling tolerances instead.
 std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScene& scene) {
     std::vector<Rung> rungs;
-    if (method.kind == IntegratorKind::DormandPrince && !scene.has_ball()) {
+    if (method.integrator == IntegratorKind::DormandPrince && !scene.has_ball()) {
         for (Real tolerance = Real(1e-2); tolerance > Real(0.9e-8); tolerance /= 10) {
             rungs.push_back(solved_closely(tolerance));
         }
@@ -58,15 +58,15 @@ std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScen
     }
     int first = 8, last = scene.finest_steps;
     std::set<int> counts;
-    if (has_step_limit(method.kind)) {
+    if (has_step_limit(method.integrator)) {
         constexpr Real just_within = Real(0.98);
         const ClothParameters& cloth = scene.settings.cloths.front();
         const Real limit =
-            predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.kind, method.kernels).step;
+            predicted_limit(make_cloth_model(cloth), make_rest_state(cloth), method.integrator, method.kernels).step;
         if (!scene.has_ball()) {
             // From the last steps beyond the limit at rest. Not far below its limit RK4 is as exact as the reference:
             // its ladder starts farther above
-            const int too_long = method.kind == IntegratorKind::Rk4 ? 4 : 2;
+            const int too_long = method.integrator == IntegratorKind::Rk4 ? 4 : 2;
             first = 1;
             while (scene.horizon / static_cast<Real>(first) > 2 * limit) first *= 2;
             first = std::max(first >> (too_long - 1), 1);
@@ -83,7 +83,7 @@ std::vector<Rung> ladder(const IntegratorParameters& method, const PrecisionScen
 /// The error of a rung is a mean over phases of the first impact.
 Row row_of(const Rung& rung, const PrecisionScene& scene, const Reference& reference) {
     const ClothParameters& cloth = scene.settings.cloths.front();
-    const bool adaptive = rung.parameters.kind == IntegratorKind::DormandPrince;
+    const bool adaptive = rung.parameters.integrator == IntegratorKind::DormandPrince;
     Row row{{"particles", cloth.particles.nx},
             {"stiffness_N_per_m", cloth.structural.stiffness},
             {"horizon_s", scene.horizon},
@@ -137,7 +137,7 @@ std::vector<PrecisionScene> precision_scenes(bool quick) {
 
 Rung solved_closely(Real tolerance) {
     constexpr int outer_steps = 8;
-    return {{.kind = IntegratorKind::DormandPrince, .tolerance = tolerance}, outer_steps};
+    return {{.integrator = IntegratorKind::DormandPrince, .tolerance = tolerance}, outer_steps};
 }
 
 Finish finish(const PrecisionScene& scene, const Rung& rung, Real phase, const std::optional<ClothState>& start) {

@@ -63,7 +63,7 @@ Rows run_tolerances(const Method& method, int side) {
 
 /// One method by steps of several lengths, with one Newton step in each and with more.
 Rows run_newton(Method method, int side) {
-    const Method best{"", {.kind = IntegratorKind::ImplicitMidpoint, .newton_steps = 3}};
+    const Method best{"", {.integrator = IntegratorKind::ImplicitMidpoint, .newton_steps = 3}};
     const Points truth = run_sheet(best, side, Real(0.5), 4 * shorter).x;
     Rows rows;
     for (const int newton_steps : {1, 2, 3}) {

@@ -16,23 +16,23 @@ namespace {
 /// @param side particles along each
 /// @param spring every one
 Rows run_stability_case(const Method& method, const char* sweep, int side, const SpringLaw& spring, int steps) {
-    const IntegratorParameters& integrator = method.parameters;
+    const IntegratorParameters& parameters = method.parameters;
     ClothParameters cloth;
     cloth.particles = {side, side};
     cloth.structural = cloth.shear = cloth.bend = spring;
     cloth.drag = 0;
-    if (!has_step_limit(integrator.kind)) cloth.pinned.kind = Pins::Kind::Two;
+    if (!has_step_limit(parameters.integrator)) cloth.pinned.kind = Pins::Kind::Two;
     ClothModel model = make_cloth_model(cloth);
-    if (has_step_limit(integrator.kind)) model.gravity.setZero();
+    if (has_step_limit(parameters.integrator)) model.gravity.setZero();
     const ClothState state = make_rest_state(cloth);
 
     // Where trials should start to fail, and how exactly that is known
-    const StepLimit limit = predicted_limit(model, state, integrator.kind, integrator.kernels);
+    const StepLimit limit = predicted_limit(model, state, parameters.integrator, parameters.kernels);
     Real expected = limit.step, tolerance = Real(0.03);
-    if (integrator.kind == IntegratorKind::ExplicitEuler) {
-        const StepLimit fastest = predicted_limit(model, state, IntegratorKind::SymplecticEuler, integrator.kernels);
+    if (parameters.integrator == IntegratorKind::ExplicitEuler) {
+        const StepLimit fastest = predicted_limit(model, state, IntegratorKind::SymplecticEuler, parameters.kernels);
         expected =
-            observable_limit_of_explicit_euler(model, state, fastest.omega, fastest.zeta, integrator.kernels, steps);
+            observable_limit_of_explicit_euler(model, state, fastest.omega, fastest.zeta, parameters.kernels, steps);
         tolerance = Real(0.15);
     }
 
@@ -58,14 +58,14 @@ Rows run_stability_case(const Method& method, const char* sweep, int side, const
     Real measured = std::numeric_limits<Real>::infinity();
     if (std::isfinite(expected)) {
         // The search knows the prediction only as a rough start
-        measured = measured_limit(model, state, integrator, Real(0.6) * expected, steps, note);
+        measured = measured_limit(model, state, parameters, Real(0.6) * expected, steps, note);
         for (const double part : {0.1, 0.25, 0.5, 0.75, 0.9, 1.1, 1.25, 2.0, 4.0, 10.0}) {
             const Real step = static_cast<Real>(part) * expected;
-            note(step, try_step(model, state, integrator, step, steps));
+            note(step, try_step(model, state, parameters, step, steps));
         }
     } else {
         for (const Real step : {Real(1e-3), Real(1) / 240, Real(1) / 60, Real(1) / 30, Real(0.05)}) {
-            const TrialEnd end = try_step(model, state, integrator, step, steps);
+            const TrialEnd end = try_step(model, state, parameters, step, steps);
             note(step, end);
             if (end != TrialEnd::Bounded) measured = std::min(measured, step);
         }
@@ -81,7 +81,7 @@ ExperimentCases stability_cases(bool quick) {
                        "bdf2_exact", "xpbd_1", "xpbd_20", "projective_dynamics"});
     ExperimentCases all;
     for (const Method& method : methods) {
-        const bool limited = has_step_limit(method.parameters.kind);
+        const bool limited = has_step_limit(method.parameters.integrator);
         const int charted = limited ? (quick ? 16 : 30) : (quick ? 8 : 16);
         const int steps = limited ? 3000 : (quick ? 300 : 1000);
         const auto add = [&](const char* sweep, int side, Real stiffness, Real damping) {

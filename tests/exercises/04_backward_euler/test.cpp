@@ -24,7 +24,7 @@ TEST(BackwardEuler, IsWhatDrapeDoesToAStretchedSpring) {
     auto state = make_rest_state(sheet);
     model.gravity.setZero();
     state.x.col(0) *= Real(1.5);  // both springs along x, of 1 m, by half a metre; two ends of 1 kg
-    make_integrator({.kind = IntegratorKind::BackwardEuler}, model.grid)->step(model, state, Real(0.1));
+    make_integrator({.integrator = IntegratorKind::BackwardEuler}, model.grid)->step(model, state, Real(0.1));
     const Real elongation = state.x(1, 0) - state.x(0, 0) - 1;
     EXPECT_NEAR(exercise_04::backward_euler({Real(0.5), 0}, 2 * 50, 2 * 3, Real(0.1)).x, elongation, 1e-5)
         << "Hint: here you got 2 k / m and 2 d / m of a spring whose ends both move; is d in your system?";

@@ -27,7 +27,8 @@ TEST(ErrorOrder, OfDrapesMethodsIsThatOfTheBooks) {
         for (int n = 64; n <= 512; n *= 2) {
             auto state = make_rest_state(sheet);
             state.x.col(0) *= Real(1.1);  // springs of 1 m along x swing at omega = 10, 1 kg at either end
-            for (int i = 0; i < n; ++i) make_integrator({.kind = kind}, model.grid)->step(model, state, Real(1) / n);
+            for (int i = 0; i < n; ++i)
+                make_integrator({.integrator = kind}, model.grid)->step(model, state, Real(1) / n);
             steps.push_back(1. / n);
             errors.push_back(std::abs(state.x(1, 0) - state.x(0, 0) - 1 - 0.1 * std::cos(10.)));
         }
