@@ -80,10 +80,7 @@ void collect_groups(const FrameView& view, float* values) {
     std::vector<char> columns, rows;  // 1 where a node of the level starts
     for (const ClothView& cloth : view.cloths) {
         const Grid& grid = cloth.model.grid;
-        nodes.clear();
-        if (cloth.hierarchy->levels() > 0) {
-            cloth.hierarchy->nodes_at(std::min(shown, cloth.hierarchy->levels() - 1), nodes);
-        }
+        cloth.hierarchy->nodes_at(shown, nodes);
         columns.assign(static_cast<std::size_t>(grid.nx), 0);
         rows.assign(static_cast<std::size_t>(grid.ny), 0);
         for (const NodeView& node : nodes) {

@@ -75,9 +75,7 @@ void draw_legend(const std::string& other_settings, ImVec2 line, float end) {
     const float middle = (swatch.y + far.y) / 2 + down;
     list.AddLine({swatch.x, middle}, {far.x, middle}, ink::popup, 1);
     text_at({line.x + 2 * size, line.y + row}, ink::quiet, "lines");
-    ImGui::PushTextWrapPos(end);
-    text_at({text, line.y + row}, ink::text, other_settings);
-    ImGui::PopTextWrapPos();
+    wrapped_text({text, line.y + row}, end - text, ink::text, other_settings);
 }
 
 }  // namespace
@@ -98,7 +96,7 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     const float width = 24 * size, curve = 3 * size;
     const std::string settings = settings_text(*view.comparison);
     const float settings_width = width - 2 * margin - settings_column * size;
-    const float lines = ImGui::CalcTextSize(settings.c_str(), nullptr, false, settings_width).y;
+    const float lines = wrapped_size(settings, settings_width).y;
     const float legend = row + lines + ImGui::GetStyle().ItemSpacing.y;
     const float height = static_cast<float>(compared_figures.size() + 2) * row + legend + curve + 2 * margin;
     const ImVec2 panel{right - width, margin};

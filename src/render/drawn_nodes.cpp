@@ -167,9 +167,7 @@ void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView
 std::vector<NodeView> shown_nodes(const FrameView& view, const BroadPhase& hierarchy) {
     std::vector<NodeView> nodes, of_level;
     const ShownLevel shown = shown_level(view);
-    if (!shown.all && hierarchy.levels() > 0) {
-        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), nodes);
-    }
+    if (!shown.all) hierarchy.nodes_at(shown.level, nodes);
     for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
         nodes_of_level(hierarchy, level, of_level);
         nodes.insert(nodes.end(), of_level.begin(), of_level.end());

@@ -15,7 +15,6 @@ namespace drape {
 /// A rectangle of a picture, from its lower left corner [pixel].
 struct PictureBox {
     int left = 0, low = 0, width = 0, height = 0;
-    bool operator==(const PictureBox&) const = default;
 };
 
 /// With as much room on all sides as the picture of this size has, up to `room` [pixel].

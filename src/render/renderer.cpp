@@ -55,15 +55,12 @@ public:
     void count(FrameReport& report) {
         ++frames_;
         const double elapsed = watch_.seconds();
-        const bool over = elapsed >= 1;
-        if (!over && !first_second_) return;
-
         // In the first second, what there is so far
-        if (elapsed > 0) {
+        if (elapsed >= 1 || (first_second_ && elapsed > 0)) {
             report.rate = frames_ / elapsed;
             report.cpu = static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC / elapsed;
         }
-        if (!over) return;
+        if (elapsed < 1) return;
         begin_again();
         first_second_ = false;
     }

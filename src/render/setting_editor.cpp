@@ -95,9 +95,7 @@ void SettingEditor::explain(const SettingRow& row) {
     ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
     if (!row.no_effect.empty())
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::wait), "%s", row.no_effect.c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
-    ImGui::TextUnformatted(accepted(setting).c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::quiet), "%s", accepted(setting).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

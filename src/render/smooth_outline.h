@@ -46,10 +46,9 @@ public:
         seen_.resize(static_cast<std::size_t>(grid.particles()));
         for (std::size_t p = 0; p < seen_.size(); ++p) {
             const ClothVertex& particle = vertices.particles[p];
-            const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particle.position);
+            const Eigen::Vector3f to_eye = from.eye - particle.position;
             const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
-            seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particle.normal)) * per_distance,
-                        from.pixels * per_distance};
+            seen_[p] = {to_eye.dot(particle.normal) * per_distance, from.pixels * per_distance};
         }
         divide_edges(grid, vertices);
         for (int j = 0; j + 1 < grid.ny; ++j) {
@@ -137,17 +136,16 @@ private:
         // By how much the cubic is off the middle; without a particle beyond one end, the parabola
         const int stride = edge.to - edge.from;
         const ClothVertex &a = particles[edge.from], &b = particles[edge.to];
-        const auto at = [&](int p) { return Eigen::Map<const Eigen::Vector3f>(particles[p].position); };
         Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-        if (edge.has_before) bend += 2 * at(edge.from) - at(edge.to) - at(edge.from - stride);
-        if (edge.has_after) bend += 2 * at(edge.to) - at(edge.from) - at(edge.to + stride);
+        if (edge.has_before) bend += 2 * a.position - b.position - particles[edge.from - stride].position;
+        if (edge.has_after) bend += 2 * b.position - a.position - particles[edge.to + stride].position;
         bend *= part / (edge.has_before && edge.has_after ? 16 : 8);
         const float off = std::sqrt(bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2]) * from.pixels;
         if (!(off > unseen)) return false;
         farthest_ = std::max(farthest_, off);
 
-        Eigen::Map<Eigen::Vector3f>(middle.position) = (at(edge.from) + at(edge.to)) / 2 + bend;
-        for (int axis = 0; axis < 3; ++axis) middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
+        middle.position = (a.position + b.position) / 2 + bend;
+        middle.normal = (a.normal + b.normal) / 2;
         middle.pinned = 0;
         middle.value = (a.value + b.value) / 2;
         middle.hollow = (a.hollow + b.hollow) / 2;
