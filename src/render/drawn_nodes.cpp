@@ -119,7 +119,7 @@ void append(const KDop<K>& dop, NodeState state, Outlines& outlines) {
 void append_outline(const AnyVolume& volume, Real slack, NodeState state, Outlines& outlines) {
     const auto append_body = [&](const auto& body) {
         if constexpr (std::is_same_v<std::decay_t<decltype(body)>, BoundingSphere>) {
-            outlines.spheres.push_back({body.centre, body.radius + slack, state});
+            outlines.spheres.push_back({body.centre.template cast<float>(), float(body.radius + slack), state});
         } else {
             append(body, state, outlines);
         }

@@ -31,9 +31,10 @@ TEST(PrincipalStrain, OfAStretchedSheetHasTheStretchAndItsDirection) {
     const auto [edges, full] = strain_crosses(view);
     EXPECT_EQ(full, 5) << "%";
     EXPECT_EQ(edges.size(), 2 * 13 * 8) << "a cross for 3 x 3 cells";
-    EXPECT_EQ(edges[0].state, NodeState::Compressed);
-    EXPECT_EQ(edges[1].state, NodeState::Stretched);
-    EXPECT_NEAR((edges[1].to - edges[1].from).norm(), 0.9 * 3 * std::min(model.hx, model.hy) * 0.8, 1e-9);
+    EXPECT_EQ(edges[0].from.state, NodeState::Compressed);
+    EXPECT_EQ(edges[1].from.state, NodeState::Stretched);
+    const float length = (edges[1].to.point - edges[1].from.point).norm();
+    EXPECT_NEAR(length, 0.9 * 3 * std::min(model.hx, model.hy) * 0.8, 1e-6);
 }
 
 }  // namespace
