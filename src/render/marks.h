@@ -52,10 +52,8 @@ public:
                 append_outline(node.volume, cloth.hierarchy->slack(), touched.state_of(node), bounds_);
             }
         }
-        if (!view.cloths.empty()) {
-            const ClothModel& model = view.cloths.front().model;
-            spacing_ = static_cast<float>(std::min(model.hx, model.hy));
-        }
+        const ClothModel& model = view.cloths.front().model;
+        spacing_ = static_cast<float>(std::min(model.hx, model.hy));
         if (show_particles_) index_springs(view);
         collect_compared(view);
         bounds_.edges.insert(bounds_.edges.end(), crosses.begin(), crosses.end());

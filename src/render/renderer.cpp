@@ -173,7 +173,7 @@ void Renderer::Parts::paint(const FrameView& view) {
     marks.add_to(bounds);
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room(data));
-    target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
+    target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : bounds.box(room));
     const float line_width = std::max(data.magnified.x(), 1.0f);
     gl(glLineWidth, line_width);
     gl(glDisable, GL_BLEND);

@@ -15,9 +15,6 @@ namespace {
 constexpr double span = 10;    // of a slider to both sides: more is typed
 constexpr double narrow = 25;  // up to which a slider from 0 on is even
 
-// "%.4g N/m"
-std::string number_format(const Setting& setting) { return "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit); }
-
 double number_in(const std::optional<SettingValue>& value) {
     const double* number = value ? std::get_if<double>(&*value) : nullptr;
     return number == nullptr ? 0 : *number;
@@ -71,7 +68,7 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
             .name = name_of(setting, number, settings),
             .format = is_whole  ? "%.0f"
                       : is_list ? "%.3g"
-                                : number_format(setting),
+                                : "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit),
             .value = setting.read(settings, number),
             .of_the_scene = std::move(of_the_scene),
             .scale = scale,

@@ -236,23 +236,22 @@ private:
         hem_index_count_ = static_cast<int>(indices + room - hem);
     }
 
-    // Cloths, then solids
-    void draw_indices(int first, int count) {
+    void draw_cloths() {
         cloths_.bind();
-        gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+        gl_.draw_elements(GL_TRIANGLES, cloth_index_count_);
     }
-
-    void draw_cloths() { draw_indices(0, cloth_index_count_); }
 
     void draw_balls() {
         balls_.bind();
         gl_.draw_elements(GL_TRIANGLES, sphere_index_count_, 0, ball_count_);
     }
 
-    // They are closed, and half of their triangles face away
+    // They are closed, and half of their triangles face away; their indices follow those of the cloths
     void draw_bodies() {
+        const std::size_t start = sizeof(std::uint32_t) * static_cast<std::size_t>(cloth_index_count_);
+        cloths_.bind();
         gl_(glEnable, GL_CULL_FACE);
-        draw_indices(cloth_index_count_, body_index_count_);
+        gl_.draw_elements(GL_TRIANGLES, body_index_count_, start);
         gl_(glDisable, GL_CULL_FACE);
     }
 
