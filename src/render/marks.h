@@ -196,8 +196,8 @@ private:
 
     Gl& gl_;
     Program spring_program_{gl_, "spring"}, particle_program_{gl_, "particle"}, pin_program_{gl_, "pin"},
-        contact_program_{gl_, "contact"}, sphere_program_{gl_, "bounding_sphere"}, edge_program_{gl_, "edge"},
-        failure_program_{gl_, "failure"};
+        contact_program_{gl_, "contact"}, sphere_program_{gl_, "bounding_sphere", "node"},
+        edge_program_{gl_, "edge", "node"}, failure_program_{gl_, "failure"};
     StreamArray springs_, contacts_, spheres_, edges_;
     VertexArray no_vertices_{gl_};  ///< core profile wants one, even where the shader makes the corners
     Buffer spring_indices_{gl_};

@@ -188,7 +188,7 @@ void OverlayPanels::point(const PanelPointer& pointer) {
 
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
-    const PanelPointer& pointer = input_.last();
+    const PanelPointer& pointer = input_.next.empty() ? input_.seen : input_.next.back();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
     const bool shown = settings.window.width() > 0 || shows_timeline();
     return menu.is_open() || settings.window.covers(x, y) || timeline_.covers(x, y) ||
