@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -208,19 +207,16 @@ TEST(Capture, SaysInItsPicturesHowTheyWereMade) {
 
 TEST(Capture, FeedsFfmpegWholeFrames) {
     const TestFolder folder;
-    const std::string script = folder / "ffmpeg", raw = folder / "raw";
-    std::ofstream(script) << "#!/bin/sh\nfor last; do :; done\ntee \"$last\" > " << raw << "\n";
-    std::filesystem::permissions(script, std::filesystem::perms::owner_all);
+    put_ffmpeg(folder, "for last; do :; done\ntee \"$last\" > " + (folder / "raw") + "\n");
     Words words = small("drop", {"--frames", "2", "--out", folder / "a", "--video", folder / "v.mp4"});
     words[2] = "480x270";  // more than a pipe holds
-    const std::string path = folder / "" + ":/bin:/usr/bin";
-    EXPECT_EQ(run_program("drape-capture", words, {{"PATH", path}}).exit_code, 0);
+    EXPECT_EQ(run_program("drape-capture", words, path_from(folder)).exit_code, 0);
     std::string wanted;
     for (const std::string& name : folder.names("a")) {
         const Image image = read_png(folder / ("a/" + name));
         wanted.append(image.rgb.begin(), image.rgb.end());
     }
-    EXPECT_TRUE(read_file(raw) == wanted);
+    EXPECT_TRUE(read_file(folder / "raw") == wanted);
 }
 
 TEST(Capture, EndsWithAPictureOfTheFailure) {

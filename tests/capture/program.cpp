@@ -1,5 +1,8 @@
 #include "program.h"
 
+#include <filesystem>
+#include <fstream>
+
 namespace drape::test {
 
 namespace {
@@ -14,7 +17,16 @@ Words joined(Words words, const Words& more) {
 }
 
 Running::Running(const TestFolder& folder, const Words& words)
-    : Process(joined({path_of("drape-capture")}, words), {{"PATH", folder / "" + ":/bin:/usr/bin"}}, folder.path()) {}
+    : Process(joined({path_of("drape-capture")}, words), path_from(folder), folder.path()) {}
+
+std::map<std::string, std::string> path_from(const TestFolder& folder) {
+    return {{"PATH", folder / "" + ":/bin:/usr/bin"}};
+}
+
+void put_ffmpeg(const TestFolder& folder, const std::string& script) {
+    std::ofstream(folder / "ffmpeg") << "#!/bin/sh\n" << script;
+    std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+}
 
 Outcome run_program(const std::string& name, const Words& arguments,
                     const std::map<std::string, std::string>& environment) {
