@@ -234,15 +234,12 @@ TEST(Capture, EndsWithAPictureOfTheFailure) {
 
 TEST(Capture, FollowsTheViewOfAReplay) {
     const TestFolder folder;
-    std::ofstream(folder / "orbit.txt") << "drape-recording 1\nscene drop\n3 orbit 0.8 0.2\n100 end\n";
-    std::ofstream(folder / "scene.txt") << "drape-recording 1\nscene drop\n3 scene hang\n100 end\n";
-    std::ofstream(folder / "still.txt") << "drape-recording 1\nscene drop\n100 end\n";
     std::vector<Image> images;
-    for (const std::string name : {"still", "orbit", "scene"}) {
-        const Words words{"--replay",   folder / (name + ".txt"), "--frames", "1", "--size", "160x90", "--out",
-                          folder / name};
-        EXPECT_EQ(run_program("drape-capture", words).exit_code, 0);
-        images.push_back(read_png(folder / (name + "/frame_0001.png")));
+    for (const char* command : {"", "3 orbit 0.8 0.2\n", "3 scene hang\n"}) {
+        std::ofstream(folder / "r.txt") << "drape-recording 1\nscene drop\n" << command << "100 end\n";
+        const Words words{"--replay", folder / "r.txt", "--frames", "1", "--size", "160x90", "--out", folder / "a"};
+        EXPECT_EQ(run_program("drape-capture", joined(words, {"--again"})).exit_code, 0);
+        images.push_back(read_png(folder / "a/frame_0001.png"));
     }
     EXPECT_NE(images[0].rgb, images[1].rgb);
     EXPECT_NE(images[0].rgb, images[2].rgb);

@@ -36,10 +36,9 @@ struct EnergyAxis {
             bottom = y;
         }
         const auto ends = [&](int x) { return !is_line(x, top) && !is_line(x - 1, top) && !is_line(x + 1, top); };
-        for (left = middle; left > 0 && !ends(left); --left) {
-        }
-        for (right = middle; right < plots_width && !ends(right); ++right) {
-        }
+        left = right = middle;
+        while (left > 0 && !ends(left)) --left;
+        while (right < plots_width && !ends(right)) ++right;
     }
 
     /// Where a curve of a colour runs at a part of the axis of time, as a part of the height.

@@ -5,19 +5,13 @@
 
 namespace drape::test {
 
-namespace {
-
-std::string path_of(const std::string& name) { return std::string(DRAPE_PROGRAMS) + "/" + name; }
-
-}  // namespace
-
 Words joined(Words words, const Words& more) {
     words.insert(words.end(), more.begin(), more.end());
     return words;
 }
 
 Running::Running(const TestFolder& folder, const Words& words)
-    : Process(joined({path_of("drape-capture")}, words), path_from(folder), folder.path()) {}
+    : Process(joined({DRAPE_PROGRAMS "/drape-capture"}, words), path_from(folder), folder.path()) {}
 
 std::map<std::string, std::string> path_from(const TestFolder& folder) {
     return {{"PATH", folder / "" + ":/bin:/usr/bin"}};
@@ -31,7 +25,7 @@ void put_ffmpeg(const TestFolder& folder, const std::string& script) {
 Outcome run_program(const std::string& name, const Words& arguments,
                     const std::map<std::string, std::string>& environment) {
     const TestFolder folder;
-    Process process(joined({path_of(name)}, arguments), environment, folder.path());
+    Process process(joined({DRAPE_PROGRAMS "/" + name}, arguments), environment, folder.path());
     const int code = process.wait_to_end();
     return {code, process.standard_output(), process.standard_error()};
 }
