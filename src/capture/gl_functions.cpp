@@ -77,17 +77,16 @@ namespace {
 
 GlContext context_of(ContextKind kind) {
     if (kind == ContextKind::Egl) return make_egl_context();
-    std::string why;
     try {
         return make_osmesa_context();
-    } catch (const RunError& error) {
+    } catch (const RunError& osmesa) {
         if (kind == ContextKind::Osmesa) throw;
-        why = error.what();
-    }
-    try {
-        return make_egl_context();
-    } catch (const RunError& error) {
-        throw RunError("no picture can be drawn without a display: " + why + "; " + error.what());
+        try {
+            return make_egl_context();
+        } catch (const RunError& egl) {
+            throw RunError(std::string("no picture can be drawn without a display: ") + osmesa.what() + "; " +
+                           egl.what());
+        }
     }
 }
 

@@ -37,7 +37,6 @@ Axes axes_of(float yaw, float pitch) {
 Eigen::AlignedBox<Real, 3> box_of(const FrameView& view) {
     Eigen::AlignedBox<Real, 3> box;
     for (const ClothView& cloth : view.cloths) {
-        if (cloth.x.rows() == 0) continue;
         box.extend(Vec3(cloth.x.colwise().minCoeff()));
         box.extend(Vec3(cloth.x.colwise().maxCoeff()));
     }

@@ -39,10 +39,6 @@ void depths(const ClothView& cloth, float* values) {
     }
 }
 
-void differences(const ComparisonView* comparison, std::size_t cloth, float* values) {
-    if (comparison != nullptr) std::ranges::copy(comparison->distances[cloth], values);
-}
-
 constexpr std::array<ColourScale, 8> scales{{
     {ColourBy::Plain, 1, "", "", 1},
     {ColourBy::Strain, 1, "Strain", "%", 100},
@@ -59,7 +55,9 @@ void collect_values(const FrameView& view, ClothColours& colours) {
     float* values = values_of_all.data();
     std::size_t number = 0;
     for (const ClothView& cloth : view.cloths) {
-        if (scale.by == ColourBy::Difference) differences(view.comparison, number++, values);
+        if (scale.by == ColourBy::Difference && view.comparison != nullptr) {
+            std::ranges::copy(view.comparison->distances[number++], values);
+        }
         if (scale.by == ColourBy::Strain || scale.by == ColourBy::PrincipalStrain) strains(cloth, values);
         if (scale.by == ColourBy::Speed) speeds(cloth, values);
         if (scale.by == ColourBy::Depth) depths(cloth, values);
@@ -80,10 +78,7 @@ void collect_groups(const FrameView& view, float* values) {
     std::vector<char> columns, rows;  // 1 where a node of the level starts
     for (const ClothView& cloth : view.cloths) {
         const Grid& grid = cloth.model.grid;
-        nodes.clear();
-        if (cloth.hierarchy->levels() > 0) {
-            cloth.hierarchy->nodes_at(std::min(shown, cloth.hierarchy->levels() - 1), nodes);
-        }
+        cloth.hierarchy->nodes_at(shown, nodes);
         columns.assign(static_cast<std::size_t>(grid.nx), 0);
         rows.assign(static_cast<std::size_t>(grid.ny), 0);
         for (const NodeView& node : nodes) {

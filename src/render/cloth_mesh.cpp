@@ -9,12 +9,28 @@ namespace drape {
 
 namespace {
 
-Eigen::Vector3f difference(const ClothVertex& a, const ClothVertex& b) {
-    return Eigen::Map<const Eigen::Vector3f>(a.position) - Eigen::Map<const Eigen::Vector3f>(b.position);
-}
-
 // From left to right, which Eigen does not promise
 float dot(const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
+    // A fold of this radius is as dark as any: light comes in from half of all sides or less
+    constexpr float radius = 0.04f;
+    const Grid& grid = model.grid;
+    const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
+    for (int j = 1; j + 1 < grid.ny; ++j) {
+        for (int i = 1; i + 1 < grid.nx; ++i) {
+            ClothVertex& vertex = vertices[grid.particle(i, j)];
+            const auto bent = [&](int before, int after, float spacing) {
+                const Eigen::Vector3f both =
+                    vertices[before].position - vertex.position + (vertices[after].position - vertex.position);
+                return dot(both, vertex.normal) / (spacing * spacing);
+            };
+            const float curvature = bent(grid.particle(i - 1, j), grid.particle(i + 1, j), hx) +
+                                    bent(grid.particle(i, j - 1), grid.particle(i, j + 1), hy);
+            vertex.hollow = std::clamp(radius * curvature, -1.0f, 1.0f);
+        }
+    }
+}
 
 }  // namespace
 
@@ -36,43 +52,24 @@ void fill_cloth_vertices(const ClothView& cloth, int number, Real blend, ClothVe
     // Normals: across the neighbours along the row and along the column
     const auto hx = static_cast<float>(cloth.model.hx), hy = static_cast<float>(cloth.model.hy);
     const float width = hx * static_cast<float>(grid.nx - 1), height = hy * static_cast<float>(grid.ny - 1);
+    const auto at = [&](int p) -> const Eigen::Vector3f& { return vertices[p].position; };
     for (int j = 0; j < grid.ny; ++j) {
         const int above = std::max(j - 1, 0), below = std::min(j + 1, grid.ny - 1);
         for (int i = 0; i < grid.nx; ++i) {
             const int left = std::max(i - 1, 0), right = std::min(i + 1, grid.nx - 1);
             ClothVertex& vertex = vertices[grid.particle(i, j)];
-            const Eigen::Vector3f row = difference(vertices[grid.particle(right, j)], vertices[grid.particle(left, j)]);
-            const Eigen::Vector3f column =
-                difference(vertices[grid.particle(i, below)], vertices[grid.particle(i, above)]);
+            const Eigen::Vector3f row = at(grid.particle(right, j)) - at(grid.particle(left, j));
+            const Eigen::Vector3f column = at(grid.particle(i, below)) - at(grid.particle(i, above));
             const Eigen::Vector3f across = column.cross(row);
             const float length = std::sqrt(dot(across, across));
-            Eigen::Map<Eigen::Vector3f> normal(vertex.normal);
-            normal = Eigen::Vector3f::UnitY();
-            if (length > 1e-20f) normal = across / length;
+            vertex.normal = Eigen::Vector3f::UnitY();
+            if (length > 1e-20f) vertex.normal = across / length;
             vertex.hollow = 0;
             vertex.place = {hx * static_cast<float>(i), hy * static_cast<float>(j), width, height};
             vertex.number = static_cast<float>(number);
         }
     }
-}
-
-void fill_hollows(const ClothModel& model, ClothVertex* vertices) {
-    // A fold of this radius is as dark as any: light comes in from half of all sides or less
-    constexpr float radius = 0.04f;
-    const Grid& grid = model.grid;
-    const auto hx = static_cast<float>(model.hx), hy = static_cast<float>(model.hy);
-    for (int j = 1; j + 1 < grid.ny; ++j) {
-        for (int i = 1; i + 1 < grid.nx; ++i) {
-            ClothVertex& vertex = vertices[grid.particle(i, j)];
-            const auto bent = [&](int before, int after, float spacing) {
-                const Eigen::Vector3f both = difference(vertices[before], vertex) + difference(vertices[after], vertex);
-                return dot(both, Eigen::Map<const Eigen::Vector3f>(vertex.normal)) / (spacing * spacing);
-            };
-            const float curvature = bent(grid.particle(i - 1, j), grid.particle(i + 1, j), hx) +
-                                    bent(grid.particle(i, j - 1), grid.particle(i, j + 1), hy);
-            vertex.hollow = std::clamp(radius * curvature, -1.0f, 1.0f);
-        }
-    }
+    fill_hollows(cloth.model, vertices);
 }
 
 std::vector<std::uint32_t> triangle_indices(std::span<const Grid> grids) {

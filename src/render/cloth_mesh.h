@@ -13,11 +13,11 @@ namespace drape {
 
 /// A particle as the shaders take it.
 struct ClothVertex {
-    float position[3];
-    float normal[3];  ///< of length 1, on the front's side
-    float pinned;     ///< 2 in the hand, else 1 or 0
-    float value;      ///< that colours the cloth, if one does
-    float hollow;     ///< how deep in a fold of the front, in [-1, 1]
+    Eigen::Vector3f position;
+    Eigen::Vector3f normal;  ///< of length 1, on the front's side
+    float pinned;            ///< 2 in the hand, else 1 or 0
+    float value;             ///< that colours the cloth, if one does
+    float hollow;            ///< how deep in a fold of the front, in [-1, 1]
 
     /// Where it is in the cloth, laid out flat, and how large that is; of a solid's point, where it is in its own
     /// frame [m].
@@ -25,15 +25,12 @@ struct ClothVertex {
     float number;  ///< of the cloth, or the solid's kind
 };
 
-/// The cloth as drawn: particles between their last two positions, with smooth normals.
+/// The cloth as drawn: particles between their last two positions, with smooth normals, and how deep they are in folds,
+/// from the curvature of the cloth as it is drawn; 0 at its edges.
 /// @param number of the cloth
 /// @param vertices receives one a particle
 /// @par Cost O(n), allocates nothing
 void fill_cloth_vertices(const ClothView& cloth, int number, Real blend, ClothVertex* vertices);
-
-/// How deep the particles are in folds, from the curvature of the cloth as it is drawn; 0 at its edges.
-/// @par Cost O(n)
-void fill_hollows(const ClothModel& model, ClothVertex* vertices);
 
 /// Keeps what is drawn of the items of a view.
 /// @param drawn_of what that is of an item

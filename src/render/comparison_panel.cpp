@@ -46,15 +46,6 @@ std::string figure_text(const ComparedFigure& row, const StepReport& report) {
 // Of the legend, where the settings of the other run begin [font size]
 constexpr float settings_column = 6;
 
-// An assignment a line
-std::string settings_text(const ComparisonView& comparison) {
-    std::string text;
-    for (const std::string& assignment : split_assignments(comparison.assignments)) {
-        text += (text.empty() ? "" : "\n") + assignment;
-    }
-    return text;
-}
-
 // Which of both cloths is which
 void draw_legend(const std::string& other_settings, ImVec2 line, float end) {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize();
@@ -75,9 +66,7 @@ void draw_legend(const std::string& other_settings, ImVec2 line, float end) {
     const float middle = (swatch.y + far.y) / 2 + down;
     list.AddLine({swatch.x, middle}, {far.x, middle}, ink::popup, 1);
     text_at({line.x + 2 * size, line.y + row}, ink::quiet, "lines");
-    ImGui::PushTextWrapPos(end);
-    text_at({text, line.y + row}, ink::text, other_settings);
-    ImGui::PopTextWrapPos();
+    wrapped_text({text, line.y + row}, end - text, ink::text, other_settings);
 }
 
 }  // namespace
@@ -96,9 +85,12 @@ void ComparisonPanel::keep(const FrameView& view) {
 float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, float left, float right) const {
     const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), margin = page.margin;
     const float width = 24 * size, curve = 3 * size;
-    const std::string settings = settings_text(*view.comparison);
+    std::string settings;  // an assignment a line
+    for (const std::string& assignment : split_assignments(view.comparison->assignments)) {
+        settings += (settings.empty() ? "" : "\n") + assignment;
+    }
     const float settings_width = width - 2 * margin - settings_column * size;
-    const float lines = ImGui::CalcTextSize(settings.c_str(), nullptr, false, settings_width).y;
+    const float lines = wrapped_size(settings, settings_width).y;
     const float legend = row + lines + ImGui::GetStyle().ItemSpacing.y;
     const float height = static_cast<float>(compared_figures.size() + 2) * row + legend + curve + 2 * margin;
     const ImVec2 panel{right - width, margin};

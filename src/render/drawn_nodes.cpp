@@ -19,11 +19,9 @@ constexpr Real hair = Real(1e-6);
 
 /// The points p with low <= axis . p <= high.
 struct Slab {
-    std::array<int, 3> axis;
+    Vec3 axis;
     Real low, high;
 };
-
-Vec3 direction(const Slab& slab) { return Eigen::Vector3i(slab.axis.data()).cast<Real>(); }
 
 /// A line, from p along a direction, and the stretch of it that is left.
 struct Line {
@@ -32,8 +30,7 @@ struct Line {
     Real to = std::numeric_limits<Real>::infinity();
 
     void cut(const Slab& slab) {
-        const Vec3 axis = direction(slab);
-        const Real rise = axis.dot(along), start = axis.dot(p);
+        const Real rise = slab.axis.dot(along), start = slab.axis.dot(p);
         if (rise == 0) {
             if (start < slab.low || start > slab.high) to = from;
             return;
@@ -60,7 +57,7 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
     if (size == 0) return;
     std::array<Slab, 13> body;
     for (std::size_t s = 0; s < slabs.size(); ++s) {
-        const Real centre = direction(slabs[s]).dot(middle), out = s < 3 ? 0 : hair * static_cast<Real>(s);
+        const Real centre = slabs[s].axis.dot(middle), out = s < 3 ? 0 : hair * static_cast<Real>(s);
         body[s] = {slabs[s].axis, (slabs[s].low - centre) / size - out, (slabs[s].high - centre) / size + out};
     }
 
@@ -69,7 +66,7 @@ void append_polytope(std::span<const Slab> slabs, NodeState state, Outlines& out
         for (std::size_t t = s + 1; t < slabs.size(); ++t) {
             for (const Real ds : {body[s].low, body[s].high}) {
                 for (const Real dt : {body[t].low, body[t].high}) {
-                    Line line = meeting(direction(body[s]), ds, direction(body[t]), dt);
+                    Line line = meeting(body[s].axis, ds, body[t].axis, dt);
                     for (std::size_t other = 0; other < slabs.size() && line.from < line.to; ++other) {
                         if (other != s && other != t) line.cut(body[other]);
                     }
@@ -107,7 +104,7 @@ void append(const KDop<K>& dop, NodeState state, Outlines& outlines) {
     std::array<Slab, K / 2> slabs;
     for (std::size_t k = 0; k < slabs.size(); ++k) {
         const auto axis = static_cast<Eigen::Index>(k);
-        slabs[k].axis = dop_axes[static_cast<std::size_t>(dop_numbers<K>[k])];
+        slabs[k].axis = Eigen::Vector3i(dop_axes[static_cast<std::size_t>(dop_numbers<K>[k])].data()).cast<Real>();
         slabs[k].low = k < 3 ? dop.box.low[axis] : dop.low[k - 3];
         slabs[k].high = k < 3 ? dop.box.high[axis] : dop.high[k - 3];
     }
@@ -119,7 +116,8 @@ void append(const KDop<K>& dop, NodeState state, Outlines& outlines) {
 void append_outline(const AnyVolume& volume, Real slack, NodeState state, Outlines& outlines) {
     const auto append_body = [&](const auto& body) {
         if constexpr (std::is_same_v<std::decay_t<decltype(body)>, BoundingSphere>) {
-            outlines.spheres.push_back({body.centre, body.radius + slack, state});
+            const auto radius = static_cast<float>(body.radius + slack);
+            outlines.spheres.push_back({body.centre.template cast<float>(), radius, state});
         } else {
             append(body, state, outlines);
         }
@@ -167,9 +165,7 @@ void nodes_of_level(const BroadPhase& hierarchy, int level, std::vector<NodeView
 std::vector<NodeView> shown_nodes(const FrameView& view, const BroadPhase& hierarchy) {
     std::vector<NodeView> nodes, of_level;
     const ShownLevel shown = shown_level(view);
-    if (!shown.all && hierarchy.levels() > 0) {
-        hierarchy.nodes_at(std::min(shown.level, hierarchy.levels() - 1), nodes);
-    }
+    if (!shown.all) hierarchy.nodes_at(shown.level, nodes);
     for (int level = 0; shown.all && level < hierarchy.levels(); ++level) {
         nodes_of_level(hierarchy, level, of_level);
         nodes.insert(nodes.end(), of_level.begin(), of_level.end());

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -85,24 +84,23 @@ struct LevelCounts {
     void add(std::span<const NodeView> added, const TouchedCells& touched);
 };
 
-/// Nodes as they are drawn, in the true shape of their volumes: spheres, and the edges of bodies with flat faces.
+/// Nodes as shaders take them, in the true shape of their volumes: spheres, and the edges of bodies with flat faces.
 struct Outlines {
     struct Sphere {
-        Vec3 centre;
-        Real radius;
+        Eigen::Vector3f centre;
+        float radius;
+        NodeState state;
+    };
+    struct End {
+        Eigen::Vector3f point;
         NodeState state;
     };
     struct Edge {
-        Vec3 from, to;
-        NodeState state;
+        Edge(const Vec3& a, const Vec3& b, NodeState of) : from{a.cast<float>(), of}, to{b.cast<float>(), of} {}
+        End from, to;
     };
     std::vector<Sphere> spheres;
     std::vector<Edge> edges;
-
-    void clear() {
-        spheres.clear();
-        edges.clear();
-    }
 };
 
 /// Appends the volume of a node. A sphere is drawn grown by the slack of its hierarchy [m]; of other volumes the faces

@@ -36,6 +36,10 @@ std::string grouped(double value) {
     return text;
 }
 
+std::string time_text(double microseconds) {
+    return microseconds < 999.95 ? format("%.1f us", microseconds) : format("%.2f ms", microseconds / 1000);
+}
+
 // A value as its unit is best read
 std::string value_text(double value, std::string_view unit) {
     if (unit.empty()) return grouped(value);
@@ -312,10 +316,6 @@ void explain(const Row& row, ImVec2 corner) {
 }
 
 }  // namespace
-
-std::string time_text(double microseconds) {
-    return microseconds < 999.95 ? format("%.1f us", microseconds) : format("%.2f ms", microseconds / 1000);
-}
 
 PanelBox figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page,
                        ImVec2 pointer) {

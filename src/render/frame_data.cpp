@@ -38,11 +38,8 @@ Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const E
         const Points& x = cloth.x;
         for (Eigen::Index p = 0; p < x.rows(); ++p) box.extend(axes * Vec3(x.row(p)).cast<float>());
     }
-    Eigen::AlignedBox3f near = box;
-    if (!box.isEmpty()) {
-        const Eigen::Vector3f room = Eigen::Vector3f::Constant(box.diagonal().norm());
-        near = {box.min() - room, box.max() + room};
-    }
+    const Eigen::Vector3f room = Eigen::Vector3f::Constant(box.diagonal().norm());
+    Eigen::AlignedBox3f near(box.min() - room, box.max() + room);
     const Eigen::Vector3f looked_at = axes * camera.target();
     const Eigen::Vector3f seen = Eigen::Vector3f::Constant(2 * (camera.eye() - camera.target()).norm());
     near.extend(Eigen::AlignedBox3f(looked_at - seen, looked_at + seen));
@@ -61,7 +58,7 @@ Eigen::AlignedBox3f casters(const FrameView& view, const Camera& camera, const E
         const Eigen::AlignedBox3f part = clamped(drawn_solid_box(view, i, axes)).intersection(near);
         if (!part.isEmpty()) box.extend(part);
     }
-    if (box.isEmpty() || !box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
+    if (!box.sizes().allFinite()) return {Eigen::Vector3f::Constant(-1), Eigen::Vector3f::Constant(1)};
     return box;
 }
 
@@ -180,8 +177,7 @@ FrameData make_frame_data(const FrameView& view, const Camera& camera, const Pic
     const float aspect = data.page.x() / data.page.y();
     data.view_projection = camera.projection_matrix(aspect) * camera.view_matrix();
     data.inverse_view_projection = data.view_projection.inverse();
-    const Eigen::Vector3f eye = camera.eye();
-    data.eye = {eye.x(), eye.y(), eye.z(), 1};
+    data.eye = camera.eye().homogeneous();
 
     light_the_scene(view, camera, holders, shadow_texels, data);
 

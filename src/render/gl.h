@@ -72,7 +72,7 @@ using Sampler = GlObject<glGenSamplers, glDeleteSamplers>;
 using Renderbuffer = GlObject<glGenRenderbuffers, glDeleteRenderbuffers>;
 using Framebuffer = GlObject<glGenFramebuffers, glDeleteFramebuffers>;
 
-/// A vertex attribute: floats, or bytes that stand for [0, 1].
+/// A vertex attribute: floats, whole numbers that become floats, or bytes that stand for [0, 1].
 struct Attribute {
     GLuint location;
     int components;
@@ -86,21 +86,15 @@ struct VertexLayout {
     std::vector<Attribute> attributes;
     bool per_instance = false;
 
-    /// Makes arrays of the attributes in the vertex array that is bound; `set` says where they are.
-    void enable(Gl& gl) const {
-        for (const Attribute& attribute : attributes) {
-            gl(glEnableVertexAttribArray, attribute.location);
-            if (per_instance) gl(glVertexAttribDivisor, attribute.location, 1);
-        }
-    }
-
     /// Tells the vertex array that is bound that the vertices start at a byte of the buffer that is bound.
     void set(Gl& gl, std::size_t start) const {
         for (const auto& [location, components, type] : attributes) {
-            const bool is_float = type == GL_FLOAT;
-            gl(glVertexAttribPointer, location, components, type, !is_float, static_cast<GLsizei>(stride),
+            const bool is_byte = type == GL_UNSIGNED_BYTE;
+            gl(glEnableVertexAttribArray, location);
+            if (per_instance) gl(glVertexAttribDivisor, location, 1);
+            gl(glVertexAttribPointer, location, components, type, is_byte, static_cast<GLsizei>(stride),
                Gl::offset(start));
-            start += static_cast<std::size_t>(components) * (is_float ? sizeof(float) : 1);
+            start += static_cast<std::size_t>(components) * (is_byte ? 1 : sizeof(float));
         }
     }
 };

@@ -46,14 +46,10 @@ KeyColumns columns_of(std::span<const KeyHelp> lines, float most_width) {
     return columns;
 }
 
-float text_height(const std::string& text, float width) {
-    return ImGui::CalcTextSize(text.c_str(), nullptr, false, width + 1).y;
-}
-
 float line_height(const KeyHelp& line, const KeyColumns& columns, float row) {
     if (line.is_heading()) return above_heading * row + row;
-    const float text = std::max(text_height(line.key, columns.keys), text_height(line.text, columns.texts));
-    return std::max(row, text + row - ImGui::GetTextLineHeight());
+    const float key = wrapped_size(line.key, columns.keys + 1).y, text = wrapped_size(line.text, columns.texts + 1).y;
+    return std::max(row, std::max(key, text) + row - ImGui::GetTextLineHeight());
 }
 
 float height_of(std::span<const KeyHelp> lines, const KeyColumns& columns, float row) {
@@ -62,19 +58,13 @@ float height_of(std::span<const KeyHelp> lines, const KeyColumns& columns, float
     return height;
 }
 
-void wrapped_text(ImVec2 corner, float width, ImU32 colour, const std::string& text) {
-    ImGui::PushTextWrapPos(corner.x + width + 1);
-    text_at(corner, colour, text);
-    ImGui::PopTextWrapPos();
-}
-
 void draw_lines(std::span<const KeyHelp> lines, ImVec2 corner, const KeyColumns& columns, float row) {
     for (const KeyHelp& line : lines) {
         if (line.is_heading()) {
             text_at({corner.x, corner.y + above_heading * row}, ink::quiet, line.text);
         } else {
-            wrapped_text(corner, columns.keys, ink::wait, line.key);
-            wrapped_text({corner.x + columns.keys + columns.gap, corner.y}, columns.texts, ink::text, line.text);
+            wrapped_text(corner, columns.keys + 1, ink::wait, line.key);
+            wrapped_text({corner.x + columns.keys + columns.gap, corner.y}, columns.texts + 1, ink::text, line.text);
         }
         corner.y += line_height(line, columns, row);
     }

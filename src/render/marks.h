@@ -30,8 +30,8 @@ public:
         : gl_(gl),
           springs_(gl, stream, Region::Cloth, cloth_layout()),
           contacts_(gl, stream, Region::Contacts, {sizeof(ContactMark), {{0, 3}, {1, 3}, {2, 3}}, true}),
-          spheres_(gl, stream, Region::Spheres, {sizeof(SphereMark), {{0, 3}, {1, 1}, {2, 1}}, true}),
-          edges_(gl, stream, Region::Edges, {sizeof(EdgeMark), {{0, 3}, {1, 1}}}) {}
+          spheres_(gl, stream, Region::Spheres, {sizeof(Outlines::Sphere), {{0, 3}, {1, 1}, {2, 1, GL_INT}}, true}),
+          edges_(gl, stream, Region::Edges, {sizeof(Outlines::End), {{0, 3}, {1, 1, GL_INT}}}) {}
 
     /// Collects what will be drawn.
     /// @param crosses lines that are drawn with those of the bounding volumes
@@ -40,7 +40,8 @@ public:
         show_particles_ = shown.particles;
         contact_count_ = particle_count_ = 0;
         show_pins_ = false;
-        bounds_.clear();
+        bounds_.spheres.clear();
+        bounds_.edges.clear();
         for (const ClothView& cloth : view.cloths) {
             particle_count_ += cloth.model.grid.particles();
             show_pins_ = show_pins_ || (cloth.model.inverse_mass == 0).any();
@@ -51,32 +52,23 @@ public:
                 append_outline(node.volume, cloth.hierarchy->slack(), touched.state_of(node), bounds_);
             }
         }
-        if (!view.cloths.empty()) {
-            const ClothModel& model = view.cloths.front().model;
-            spacing_ = static_cast<float>(std::min(model.hx, model.hy));
-        }
+        const ClothModel& model = view.cloths.front().model;
+        spacing_ = static_cast<float>(std::min(model.hx, model.hy));
         if (show_particles_) index_springs(view);
         collect_compared(view);
         bounds_.edges.insert(bounds_.edges.end(), crosses.begin(), crosses.end());
 
         fill_contacts(view, stream);
-        auto* sphere_mark = stream.room<SphereMark>(Region::Spheres, bounds_.spheres.size());
-        for (const auto& [centre, radius, state] : bounds_.spheres) {
-            *sphere_mark++ = {centre.cast<float>(), static_cast<float>(radius), static_cast<float>(state)};
-        }
-        auto* edge_mark = stream.room<EdgeMark>(Region::Edges, 2 * bounds_.edges.size());
-        for (const auto& [from, to, state] : bounds_.edges) {
-            for (const Vec3* end : {&from, &to}) *edge_mark++ = {end->cast<float>(), static_cast<float>(state)};
-        }
+        std::ranges::copy(bounds_.spheres, stream.room<Outlines::Sphere>(Region::Spheres, bounds_.spheres.size()));
+        std::ranges::copy(bounds_.edges, stream.room<Outlines::Edge>(Region::Edges, bounds_.edges.size()));
     }
 
     /// Adds bounds, and what is compared; the rest is at solids, or anywhere.
     void add_to(PictureBounds& bounds) const {
-        for (const Outlines::Sphere& sphere : bounds_.spheres) {
-            bounds.add(sphere.centre.cast<float>(), static_cast<float>(sphere.radius));
-        }
+        for (const Outlines::Sphere& sphere : bounds_.spheres) bounds.add(sphere.centre, sphere.radius);
         for (const Outlines::Edge& edge : bounds_.edges) {
-            for (const Vec3* end : {&edge.from, &edge.to}) bounds.add(end->cast<float>());
+            bounds.add(edge.from.point);
+            bounds.add(edge.to.point);
         }
     }
 
@@ -129,17 +121,6 @@ private:
         std::array<float, 4> colour;
     };
 
-    struct SphereMark {
-        Eigen::Vector3f centre;
-        float radius, state;
-    };
-
-    /// An end of an edge.
-    struct EdgeMark {
-        Eigen::Vector3f point;
-        float state;
-    };
-
     static constexpr int circles_per_sphere = 4;
     static constexpr int contact_vertices = 15;
     static constexpr GLuint hidden_attribute = 5;  // of lines behind something: 1
@@ -158,10 +139,11 @@ private:
         const FrameView& other = view.comparison->other;
         for (std::size_t b = 0; b < std::min(view.balls.size(), other.balls.size()); ++b) {
             const Eigen::Vector4f ball = drawn_ball(other, b);
-            const Vec3 centre = ball.head<3>().cast<Real>();
             constexpr Real seen = Real(1e-3);  // of its radius
-            if (!((centre - view.balls[b].centre).norm() > seen * other.balls[b].radius)) continue;
-            bounds_.spheres.push_back({centre, other.balls[b].radius, NodeState::Compared});
+            const Real apart = (ball.head<3>().cast<Real>() - view.balls[b].centre).norm();
+            if (apart > seen * other.balls[b].radius) {
+                bounds_.spheres.push_back({ball.head<3>(), ball.w(), NodeState::Compared});
+            }
         }
         for (const ClothView& cloth : other.cloths) {
             const auto at = [&](int p) { return drawn_particle(cloth, other.blend, p); };
@@ -214,8 +196,8 @@ private:
 
     Gl& gl_;
     Program spring_program_{gl_, "spring"}, particle_program_{gl_, "particle"}, pin_program_{gl_, "pin"},
-        contact_program_{gl_, "contact"}, sphere_program_{gl_, "bounding_sphere"}, edge_program_{gl_, "edge"},
-        failure_program_{gl_, "failure"};
+        contact_program_{gl_, "contact"}, sphere_program_{gl_, "bounding_sphere", "node"},
+        edge_program_{gl_, "edge", "node"}, failure_program_{gl_, "failure"};
     StreamArray springs_, contacts_, spheres_, edges_;
     VertexArray no_vertices_{gl_};  ///< core profile wants one, even where the shader makes the corners
     Buffer spring_indices_{gl_};

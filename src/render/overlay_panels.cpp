@@ -126,20 +126,16 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     return columns * font + margins * margin <= width && rows * font <= height;
 }
 
-ImVec2 notices_size(std::span<const std::string> notices, float most_width, float margin) {
-    ImVec2 size{0, 0};
-    for (const std::string& notice : notices) {
-        const ImVec2 part = ImGui::CalcTextSize(notice.c_str(), nullptr, false, most_width - 2 * margin);
-        size = {std::max(size.x, part.x), size.y + part.y};
-    }
-    return {size.x + 2 * margin, size.y + 2 * margin};
-}
-
 // At the top where there is room for it beside the others, else at the bottom; what is said is never left out
 float notice_panel(std::span<const std::string> notices, std::span<const PanelFont> fonts, const OverlayPage& page,
                    const std::vector<PanelBox>& others, bool at_top) {
     const float margin = page.margin;
-    const auto size_within = [&](float width) { return notices_size(notices, width, margin); };
+    std::string text;
+    for (const std::string& notice : notices) text += (text.empty() ? "" : "\n") + notice;
+    const auto size_within = [&](float width) {
+        const ImVec2 size = wrapped_size(text, width - 2 * margin);
+        return ImVec2{size.x + 2 * margin, size.y + 2 * margin};
+    };
     std::optional<PanelBox> box;
     for (std::size_t font = fonts.size(); font-- > 0 && !box;) {
         fonts[font].push();
@@ -154,14 +150,8 @@ float notice_panel(std::span<const std::string> notices, std::span<const PanelFo
         }
         if (box) {
             draw_panel(*box);
-            ImVec2 line{box->left + margin, box->top + margin};
             const float most = box->right - box->left - 2 * margin + 1;
-            ImGui::PushTextWrapPos(line.x + most);
-            for (const std::string& notice : notices) {
-                text_at(line, ink::wait, notice);
-                line.y += ImGui::CalcTextSize(notice.c_str(), nullptr, false, most).y;
-            }
-            ImGui::PopTextWrapPos();
+            wrapped_text({box->left + margin, box->top + margin}, most, ink::wait, text);
         }
         ImGui::PopFont();
     }
@@ -198,7 +188,7 @@ void OverlayPanels::point(const PanelPointer& pointer) {
 
 bool OverlayPanels::have_pointer() const {
     ImGui::SetCurrentContext(context_.get());
-    const PanelPointer& pointer = input_.last();
+    const PanelPointer& pointer = input_.next.empty() ? input_.seen : input_.next.back();
     const auto x = static_cast<float>(pointer.x), y = static_cast<float>(pointer.y);
     const bool shown = settings.window.width() > 0 || shows_timeline();
     return menu.is_open() || settings.window.covers(x, y) || timeline_.covers(x, y) ||

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -68,7 +66,6 @@ private:
         std::vector<PanelPointer> next;
         std::string typed;
         bool key_seen = false;  ///< in the last frame, that makes no character
-        [[nodiscard]] const PanelPointer& last() const { return next.empty() ? seen : next.back(); }
     };
 
     StepMedians step_medians_;

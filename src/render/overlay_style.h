@@ -103,6 +103,18 @@ inline void text_at(ImVec2 corner, ImU32 colour, std::string_view text) {
     ImGui::PopStyleColor();
 }
 
+/// How large a text is where its lines end before a width [pixel].
+inline ImVec2 wrapped_size(const std::string& text, float width) {
+    return ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+}
+
+/// Text from a point of the picture on, whose lines end before a width.
+inline void wrapped_text(ImVec2 corner, float width, ImU32 colour, std::string_view text) {
+    ImGui::PushTextWrapPos(corner.x + width);
+    text_at(corner, colour, text);
+    ImGui::PopTextWrapPos();
+}
+
 /// A patch of a colour, in sRGB, with what it means beside it.
 /// @param colour red, green and blue; more is left out
 inline void swatch_at(ImVec2 corner, std::span<const float> colour, std::string_view text) {

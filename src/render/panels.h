@@ -21,9 +21,6 @@ namespace drape {
 /// Of the stats panel, where there is room [font size].
 inline constexpr float figures_columns = 16.9f;
 
-/// A time as it is best read: "812.3 us", "1.25 ms".
-std::string time_text(double microseconds);
-
 /// The stats panel at the top left: scene, integrator, time, stages, hierarchy, energy, cost; a few of these where it
 /// is compact, and the energy balance while a ledger is kept. Rows that do not fit are left out, the least important
 /// first.

@@ -15,15 +15,7 @@ namespace drape {
 /// A rectangle of a picture, from its lower left corner [pixel].
 struct PictureBox {
     int left = 0, low = 0, width = 0, height = 0;
-    bool operator==(const PictureBox&) const = default;
 };
-
-/// With as much room on all sides as the picture of this size has, up to `room` [pixel].
-inline PictureBox grown(const PictureBox& box, int room, int width, int height) {
-    const int left = std::max(box.left - room, 0), low = std::max(box.low - room, 0);
-    const int right = std::min(box.left + box.width + room, width);
-    return {left, low, right - left, std::min(box.low + box.height + room, height) - low};
-}
 
 /// The box around all that is drawn; the whole picture if something is beside or behind the eye.
 class PictureBounds {
@@ -50,16 +42,17 @@ public:
     }
 
     /// Whole pixels, and one around them for what is smoothed; empty if nothing was added.
-    [[nodiscard]] PictureBox box() const {
+    /// @param room more of them around it, as far as the picture has them
+    [[nodiscard]] PictureBox box(int room = 0) const {
         if (box_.isEmpty()) return {};
-        const auto edge = [](float coordinate, int size, int room) {
+        const auto edge = [](float coordinate, int size, int aside) {
             const float pixel =
                 std::floor((std::clamp(coordinate, -1.0f, 1.0f) * 0.5f + 0.5f) * static_cast<float>(size));
-            return std::clamp(static_cast<int>(pixel) + room, 0, size);
+            return std::clamp(static_cast<int>(pixel) + aside, 0, size);
         };
         const Eigen::Vector2f least = box_.min(), most = box_.max();
-        const int left = edge(least.x(), width_, -1), low = edge(least.y(), height_, -1);
-        return {left, low, edge(most.x(), width_, 2) - left, edge(most.y(), height_, 2) - low};
+        const int left = edge(least.x(), width_, -1 - room), low = edge(least.y(), height_, -1 - room);
+        return {left, low, edge(most.x(), width_, 2 + room) - left, edge(most.y(), height_, 2 + room) - low};
     }
 
 private:

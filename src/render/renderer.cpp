@@ -55,15 +55,12 @@ public:
     void count(FrameReport& report) {
         ++frames_;
         const double elapsed = watch_.seconds();
-        const bool over = elapsed >= 1;
-        if (!over && !first_second_) return;
-
         // In the first second, what there is so far
-        if (elapsed > 0) {
+        if (elapsed >= 1 || (first_second_ && elapsed > 0)) {
             report.rate = frames_ / elapsed;
             report.cpu = static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC / elapsed;
         }
-        if (!over) return;
+        if (elapsed < 1) return;
         begin_again();
         first_second_ = false;
     }
@@ -176,7 +173,7 @@ void Renderer::Parts::paint(const FrameView& view) {
     marks.add_to(bounds);
     const bool anywhere = shown.contacts || shown.particles || failed;
     const int room = std::max(solids.room(), marks.room(data));
-    target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : grown(bounds.box(), room, wide, high));
+    target->begin_samples(anywhere ? PictureBox{0, 0, wide, high} : bounds.box(room));
     const float line_width = std::max(data.magnified.x(), 1.0f);
     gl(glLineWidth, line_width);
     gl(glDisable, GL_BLEND);

@@ -15,9 +15,6 @@ namespace {
 constexpr double span = 10;    // of a slider to both sides: more is typed
 constexpr double narrow = 25;  // up to which a slider from 0 on is even
 
-// "%.4g N/m"
-std::string number_format(const Setting& setting) { return "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit); }
-
 double number_in(const std::optional<SettingValue>& value) {
     const double* number = value ? std::get_if<double>(&*value) : nullptr;
     return number == nullptr ? 0 : *number;
@@ -71,7 +68,7 @@ SettingRow make_setting_row(const Setting& setting, std::size_t number, const Se
             .name = name_of(setting, number, settings),
             .format = is_whole  ? "%.0f"
                       : is_list ? "%.3g"
-                                : number_format(setting),
+                                : "%.12g" + (setting.unit.empty() ? "" : " " + setting.unit),
             .value = setting.read(settings, number),
             .of_the_scene = std::move(of_the_scene),
             .scale = scale,
@@ -95,9 +92,7 @@ void SettingEditor::explain(const SettingRow& row) {
     ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
     if (!row.no_effect.empty())
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::wait), "%s", row.no_effect.c_str());
-    ImGui::PushStyleColor(ImGuiCol_Text, ink::quiet);
-    ImGui::TextUnformatted(accepted(setting).c_str());
-    ImGui::PopStyleColor();
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::quiet), "%s", accepted(setting).c_str());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

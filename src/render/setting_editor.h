@@ -64,10 +64,7 @@ public:
         if (closing_list_) list_open_ = closing_list_ = false;
     }
 
-    /// Whether a list of names was open as it was last drawn.
-    [[nodiscard]] bool list_open() const { return list_open_; }
-
-    /// Closes it as it is drawn next. @return whether it was open
+    /// Closes the list of names that is open, as it is drawn next. @return whether one is
     bool close_list() { return closing_list_ = list_open_; }
 
     /// Nothing is being changed any more.

@@ -18,10 +18,6 @@ std::string capitalised(std::string text) {
     return text;
 }
 
-bool can_compare(const Setting& setting, const Settings& settings) {
-    return has_panel_row(setting) && setting.section != "view" && section_count(settings, setting) > 0;
-}
-
 }  // namespace
 
 void SettingsPanel::draw(const FrameView& view, const OverlayPage& page) {
@@ -131,7 +127,7 @@ void SettingsPanel::compare_section(const FrameView& view) {
     if (editor_.begin_list("##setting", other_->name.c_str())) {
         const Setting* chosen = nullptr;
         for (const Setting& setting : setting_table()) {
-            if (!can_compare(setting, settings)) continue;
+            if (!has_panel_row(setting) || setting.section == "view" || section_count(settings, setting) == 0) continue;
             if (ImGui::Selectable(setting.full_name().c_str(), &setting == other_->setting)) chosen = &setting;
         }
         editor_.end_list();

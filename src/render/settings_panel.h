@@ -44,8 +44,7 @@ public:
         if (window.width() == 0) wishes_.changes.emplace_back("view.controls=true");
     }
 
-    /// As those of the editor.
-    [[nodiscard]] bool list_open() const { return editor_.list_open(); }
+    /// As the editor's.
     bool close_list() { return editor_.close_list(); }
 
     /// The panel is not shown.

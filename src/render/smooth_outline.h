@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "cloth_mesh.h"
@@ -46,10 +47,9 @@ public:
         seen_.resize(static_cast<std::size_t>(grid.particles()));
         for (std::size_t p = 0; p < seen_.size(); ++p) {
             const ClothVertex& particle = vertices.particles[p];
-            const Eigen::Vector3f to_eye = from.eye - Eigen::Map<const Eigen::Vector3f>(particle.position);
+            const Eigen::Vector3f to_eye = from.eye - particle.position;
             const float per_distance = 1 / std::max(to_eye.norm(), 1e-3f);
-            seen_[p] = {to_eye.dot(Eigen::Map<const Eigen::Vector3f>(particle.normal)) * per_distance,
-                        from.pixels * per_distance};
+            seen_[p] = {to_eye.dot(particle.normal) * per_distance, from.pixels * per_distance};
         }
         divide_edges(grid, vertices);
         for (int j = 0; j + 1 < grid.ny; ++j) {
@@ -137,17 +137,16 @@ private:
         // By how much the cubic is off the middle; without a particle beyond one end, the parabola
         const int stride = edge.to - edge.from;
         const ClothVertex &a = particles[edge.from], &b = particles[edge.to];
-        const auto at = [&](int p) { return Eigen::Map<const Eigen::Vector3f>(particles[p].position); };
         Eigen::Vector3f bend = Eigen::Vector3f::Zero();
-        if (edge.has_before) bend += 2 * at(edge.from) - at(edge.to) - at(edge.from - stride);
-        if (edge.has_after) bend += 2 * at(edge.to) - at(edge.from) - at(edge.to + stride);
+        if (edge.has_before) bend += 2 * a.position - b.position - particles[edge.from - stride].position;
+        if (edge.has_after) bend += 2 * b.position - a.position - particles[edge.to + stride].position;
         bend *= part / (edge.has_before && edge.has_after ? 16 : 8);
         const float off = std::sqrt(bend[0] * bend[0] + bend[1] * bend[1] + bend[2] * bend[2]) * from.pixels;
         if (!(off > unseen)) return false;
         farthest_ = std::max(farthest_, off);
 
-        Eigen::Map<Eigen::Vector3f>(middle.position) = (at(edge.from) + at(edge.to)) / 2 + bend;
-        for (int axis = 0; axis < 3; ++axis) middle.normal[axis] = (a.normal[axis] + b.normal[axis]) / 2;
+        middle.position = (a.position + b.position) / 2 + bend;
+        middle.normal = (a.normal + b.normal) / 2;
         middle.pinned = 0;
         middle.value = (a.value + b.value) / 2;
         middle.hollow = (a.hollow + b.hollow) / 2;
@@ -157,42 +156,20 @@ private:
     }
 
     // Into two, three or four where its edges are divided; edge k leads from corner k to the next
-    [[nodiscard]] std::uint32_t* divide_triangle(const Vertices& vertices, std::array<int, 3> corners,
-                                                 std::array<int, 3> edges, std::uint32_t* indices) const {
-        const auto divided = [&](std::size_t k) -> unsigned { return divided_[static_cast<std::size_t>(edges[k])]; };
-        const unsigned which = divided(0) | divided(1) << 1 | divided(2) << 2;
-
-        // Turned so that the divided edges come first
-        constexpr std::array<std::ptrdiff_t, 8> turns{0, 0, 1, 0, 2, 2, 1, 0};
-        std::rotate(corners.begin(), corners.begin() + turns[which], corners.end());
-        std::rotate(edges.begin(), edges.begin() + turns[which], edges.end());
-        const auto corner = [&](std::size_t k) {
-            return vertices.first_particle + static_cast<std::uint32_t>(corners[k]);
-        };
-        const auto middle = [&](std::size_t k) { return vertices.first_middle + static_cast<std::uint32_t>(edges[k]); };
-        const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
-            *indices++ = p, *indices++ = q, *indices++ = r;
-        };
-        const std::uint32_t p = corner(0), q = corner(1), r = corner(2);
-        switch (divided(0) + divided(1) + divided(2)) {
-            case 0:
-                add(p, q, r);
-                break;
-            case 1:
-                add(p, middle(0), r);
-                add(middle(0), q, r);
-                break;
-            case 2:
-                add(p, middle(0), r);
-                add(middle(0), middle(1), r);
-                add(middle(0), q, middle(1));
-                break;
-            default:
-                add(p, middle(0), middle(2));
-                add(middle(0), q, middle(1));
-                add(middle(2), middle(1), r);
-                add(middle(0), middle(1), middle(2));
+    [[nodiscard]] std::uint32_t* divide_triangle(const Vertices& vertices, const std::array<int, 3>& corners,
+                                                 const std::array<int, 3>& edges, std::uint32_t* indices) const {
+        std::array<std::uint32_t, 6> numbers;
+        unsigned divided = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            numbers[k] = vertices.first_particle + static_cast<std::uint32_t>(corners[k]);
+            numbers[3 + k] = vertices.first_middle + static_cast<std::uint32_t>(edges[k]);
+            divided |= unsigned{divided_[static_cast<std::size_t>(edges[k])]} << k;
         }
+
+        // Its parts by which of the edges are divided: from corners, 0 to 2, and from the middles of edges, 3 to 5
+        constexpr std::array<std::string_view, 8> parts{"012",    "032312",    "140420",    "032342314",
+                                                        "251501", "251531503", "140450425", "035314542345"};
+        for (const char vertex : parts[divided]) *indices++ = numbers[static_cast<std::size_t>(vertex - '0')];
         return indices;
     }
 

@@ -42,7 +42,6 @@ public:
         balls_.bind();
         fill_static(gl, GL_ELEMENT_ARRAY_BUFFER, sphere_indices_, indices);
         fill_static(gl, GL_ARRAY_BUFFER, sphere_vertices_, unit_sphere());
-        points.enable(gl);
         points.set(gl, 0);
 
         outlined_.bind();
@@ -79,7 +78,6 @@ public:
         auto* vertex = stream.room<ClothVertex>(Region::Cloth, fixed_vertices() + middles);
         for (int number = 0; const ClothView& cloth : view.cloths) {
             fill_cloth_vertices(cloth, number++, view.blend, vertex);
-            fill_hollows(cloth.model, vertex);
             vertex += cloth.model.grid.particles();
         }
         auto* const particles = stream.data<ClothVertex>(Region::Cloth);
@@ -90,8 +88,8 @@ public:
             const Eigen::Vector3f position = drawn_solid(view, i);
             for (std::size_t p = 0; p < mesh.points.size(); ++p, ++vertex) {
                 const Eigen::Vector3f own = mesh.points[p].cast<float>();
-                Eigen::Map<Eigen::Vector3f>(vertex->position) = position + orientation * own;
-                Eigen::Map<Eigen::Vector3f>(vertex->normal) = orientation * mesh.normals[p].cast<float>();
+                vertex->position = position + orientation * own;
+                vertex->normal = orientation * mesh.normals[p].cast<float>();
                 vertex->pinned = vertex->value = vertex->hollow = 0;
                 vertex->place = {own.x(), own.y(), own.z(), 0};
                 vertex->number = static_cast<float>(view.settings->solids[i].shape);
@@ -109,7 +107,7 @@ public:
     /// Adds what was filled in.
     void add_to(PictureBounds& bounds, StreamBuffer& stream) const {
         for (const ClothVertex& vertex : std::span(stream.data<ClothVertex>(Region::Cloth), fixed_vertices())) {
-            bounds.add(Eigen::Map<const Eigen::Vector3f>(vertex.position));
+            bounds.add(vertex.position);
         }
         for (const DrawnBall& ball :
              std::span(stream.data<DrawnBall>(Region::Balls), static_cast<std::size_t>(ball_count_))) {
@@ -228,7 +226,7 @@ private:
             end = outline_.fill(cloth.model.grid, of_cloth, from, end);
             hem = outline_.fill_hem(cloth.model.grid, of_cloth, hem);
             const auto count = static_cast<std::size_t>(cloth.model.grid.particles());
-            const Eigen::Map<const Eigen::Vector3f> inside(vertices[first + count / 2].position);
+            const Eigen::Vector3f& inside = vertices[first + count / 2].position;
             hem_width_ = std::max(hem_width_, thickness * from.pixels / (from.eye - inside).norm());
             outline_room_ = std::max(outline_room_, outline_.farthest() + hem_width_);
             first += count;
@@ -238,23 +236,22 @@ private:
         hem_index_count_ = static_cast<int>(indices + room - hem);
     }
 
-    // Cloths, then solids
-    void draw_indices(int first, int count) {
+    void draw_cloths() {
         cloths_.bind();
-        gl_.draw_elements(GL_TRIANGLES, count, static_cast<std::size_t>(first) * sizeof(std::uint32_t));
+        gl_.draw_elements(GL_TRIANGLES, cloth_index_count_);
     }
-
-    void draw_cloths() { draw_indices(0, cloth_index_count_); }
 
     void draw_balls() {
         balls_.bind();
         gl_.draw_elements(GL_TRIANGLES, sphere_index_count_, 0, ball_count_);
     }
 
-    // They are closed, and half of their triangles face away
+    // They are closed, and half of their triangles face away; their indices follow those of the cloths
     void draw_bodies() {
+        const std::size_t start = sizeof(std::uint32_t) * static_cast<std::size_t>(cloth_index_count_);
+        cloths_.bind();
         gl_(glEnable, GL_CULL_FACE);
-        draw_indices(cloth_index_count_, body_index_count_);
+        gl_.draw_elements(GL_TRIANGLES, body_index_count_, start);
         gl_(glDisable, GL_CULL_FACE);
     }
 

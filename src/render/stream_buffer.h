@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -101,15 +102,8 @@ private:
 class StreamArray {
 public:
     StreamArray(Gl& gl, const StreamBuffer& stream, Region region, VertexLayout layout)
-        : gl_(gl),
-          stream_(stream),
-          array_(gl),
-          region_(region),
-          layout_(std::move(layout)),
-          start_(stream.start(region)) {
+        : gl_(gl), stream_(stream), array_(gl), region_(region), layout_(std::move(layout)) {
         bind();
-        layout_.enable(gl);
-        layout_.set(gl, start_);
     }
 
     /// Binds it, where the region is by now.
@@ -126,7 +120,7 @@ private:
     VertexArray array_;
     Region region_;
     VertexLayout layout_;
-    std::size_t start_;
+    std::size_t start_ = std::numeric_limits<std::size_t>::max();  ///< where the attributes were last set; nowhere yet
 };
 
 }  // namespace drape

@@ -14,32 +14,24 @@ namespace {
 constexpr int picture_wide = 640, picture_high = 360;
 
 /// Which part of the whole each channel has, in linear light: the same for a colour in any light that is white.
-std::array<double, 3> hue(const std::array<double, 3>& srgb) {
-    std::array<double, 3> linear;
-    double sum = 1e-9;
-    for (std::size_t k = 0; k < 3; ++k) sum += linear[k] = std::pow(srgb[k], 2.2);
-    for (double& channel : linear) channel /= sum;
-    return linear;
-}
-
-double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+Eigen::Array3d hue(const Eigen::Array3d& srgb) {
+    const Eigen::Array3d linear = srgb.pow(2.2);
+    return linear / (linear.sum() + 1e-9);
 }
 
 /// The value in [0, 1] whose colour is nearest.
 double value_of(const std::uint8_t* pixel) {
-    const std::array<double, 3> seen = hue({pixel[0] / 255.0, pixel[1] / 255.0, pixel[2] / 255.0});
+    const auto colour = [](std::size_t k) -> Eigen::Array3d {
+        return Eigen::Array3f(value_colours[k].data()).cast<double>();
+    };
+    const Eigen::Array3d seen = hue(Eigen::Array3d(pixel[0], pixel[1], pixel[2]) / 255);
     double best = 0, nearest = 1e9;
     for (int step = 0; step <= 200; ++step) {
         const double at = step / 200.0 * static_cast<double>(value_colours.size() - 1);
         const auto first = std::min(static_cast<std::size_t>(at), value_colours.size() - 2);
         const double part = at - static_cast<double>(first);
-        std::array<double, 3> mixed;
-        for (std::size_t k = 0; k < 3; ++k) {
-            mixed[k] = (1 - part) * static_cast<double>(value_colours[first][k]) +
-                       part * static_cast<double>(value_colours[first + 1][k]);
-        }
-        const double away = distance(hue(mixed), seen);
+        const Eigen::Array3d mixed = (1 - part) * colour(first) + part * colour(first + 1);
+        const double away = (hue(mixed) - seen).matrix().norm();
         if (away < nearest) nearest = away, best = step / 200.0;
     }
     return best;

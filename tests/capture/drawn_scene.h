@@ -25,6 +25,12 @@ inline Image picture_of(const FrameView& view, int width, int height) {
     return picture_of(view, width, height, view.settings->view);
 }
 
+/// Of a pixel, up to 765.
+inline double brightness_at(const Image& image, int x, int y) {
+    const std::uint8_t* p = image.pixel(x, y);
+    return p[0] + p[1] + p[2];
+}
+
 /// A scene with some settings changed.
 inline Settings changed_scene(const std::string& scene, const std::vector<std::string>& changes) {
     Settings settings = load_scene(scene);

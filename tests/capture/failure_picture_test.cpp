@@ -1,4 +1,4 @@
-// The particle that has diverged first and the worst of its springs are marked, also behind the cloth().
+// The particle that has diverged first and the worst of its springs are marked, also behind the cloth.
 
 #include <gtest/gtest.h>
 

@@ -23,11 +23,6 @@ struct LookPicture : DrawnScene, testing::Test {
     }
 };
 
-double brightness_at(const Image& image, int x, int y) {
-    const std::uint8_t* p = image.pixel(x, y);
-    return p[0] + p[1] + p[2];
-}
-
 TEST_F(LookPicture, HasAWeaveOnTheClothAlone) {
     settings.view.weave = false;
     const Image plain = draw(cloth());
@@ -51,19 +46,6 @@ TEST_F(LookPicture, OfAPlainFabricHasNoWeave) {
     const Image with = draw(cloth());
     settings.view.weave = false;
     EXPECT_EQ(with.rgb, draw(cloth()).rgb);
-}
-
-TEST_F(LookPicture, DiffersByFabricAndPalette) {
-    std::vector<Image> looks{draw(cloth())};
-    for (const Fabric fabric : {Fabric::Silk, Fabric::Denim, Fabric::Plain}) {
-        settings.view.fabric = fabric;
-        looks.push_back(draw(cloth()));
-    }
-    for (const Palette palette : {Palette::Dusk, Palette::Linen}) {
-        settings.view.palette = palette;
-        looks.push_back(draw(cloth()));
-    }
-    for (std::size_t i = 1; i < looks.size(); ++i) EXPECT_NE(looks[i].rgb, looks[i - 1].rgb) << i;
 }
 
 /// Seen on edge, where its sides are a line without width, the cloth is as thick as for its contacts.

@@ -32,12 +32,6 @@ Words large(const Words& more) { return joined({"hang", "--size", "480x270", "--
 
 void put(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
 
-/// A folder whose `ffmpeg` is this script.
-void put_ffmpeg(const std::string& script, const std::string& text) {
-    put(script, "#!/bin/sh\n" + text);
-    fs::permissions(script, fs::perms::owner_all);
-}
-
 TEST(CaptureOutputs, AreNoFileTwice) {
     const TestFolder folder;
     put(folder / "s", "before");
@@ -67,9 +61,9 @@ TEST(CaptureOutputs, AreNoVideosThatAreNotOneFile) {
         EXPECT_THAT(outcome.err, HasSubstr("allowed a name that ends in '.mp4', "));
     }
     EXPECT_THAT(folder.names(""), testing::IsEmpty());
-    put_ffmpeg(folder / "ffmpeg", "cat > /dev/null\n");
-    const Outcome outcome = run_program("drape-capture", small({"--frames", "1", "--video", folder / "%d.MP4"}),
-                                        {{"PATH", folder / "" + ":/bin:/usr/bin"}});
+    put_ffmpeg(folder, "cat > /dev/null\n");
+    const Outcome outcome =
+        run_program("drape-capture", small({"--frames", "1", "--video", folder / "%d.MP4"}), path_from(folder));
     EXPECT_EQ(outcome.exit_code, 1);
     EXPECT_THAT(outcome.err, HasSubstr("no video, ffmpeg has written nothing"));
     EXPECT_THAT(folder.names(""), ElementsAre("ffmpeg"));
@@ -92,21 +86,20 @@ TEST(CaptureOutputs, AreNotBegunWithTooLittleMemory) {
 TEST(CaptureOutputs, KeepTheVideoOfBeforeIfThereIsNoNewOne) {
     const TestFolder folder, programs;
     put(folder / "v.mp4", "before");
-    const auto film = [&](const std::string& path, int code) {
+    const auto film = [&](const std::map<std::string, std::string>& path, int code) {
         const Words words{"--frames", "2", "--out", folder / "a", "--again", "--video", folder / "v.mp4"};
-        const Outcome run = run_program("drape-capture", small(words), {{"PATH", path}});
+        const Outcome run = run_program("drape-capture", small(words), path);
         EXPECT_EQ(folder.names("a").size(), 2u) << "the pictures stay";
         EXPECT_EQ(run.exit_code, code);
         return run.err;
     };
-    EXPECT_THAT(film("/nowhere", 1), HasSubstr("ffmpeg (Debian package ffmpeg) could not be started"));
+    EXPECT_THAT(film({{"PATH", "/nowhere"}}, 1), HasSubstr("ffmpeg (Debian package ffmpeg) could not be started"));
     EXPECT_EQ(read_file(folder / "v.mp4"), "before");
-    const std::string path = programs / "" + ":/bin:/usr/bin";
-    put_ffmpeg(programs / "ffmpeg", "for last; do :; done; echo half > \"$last\"; cat > /dev/null; exit 1\n");
-    EXPECT_THAT(film(path, 1), HasSubstr("ffmpeg failed with status 1"));
+    put_ffmpeg(programs, "for last; do :; done; echo half > \"$last\"; cat > /dev/null; exit 1\n");
+    EXPECT_THAT(film(path_from(programs), 1), HasSubstr("ffmpeg failed with status 1"));
     EXPECT_EQ(read_file(folder / "v.mp4"), "before");
-    put_ffmpeg(programs / "ffmpeg", "for last; do :; done; echo whole > \"$last\"; cat > /dev/null\n");
-    film(path, 0);
+    put_ffmpeg(programs, "for last; do :; done; echo whole > \"$last\"; cat > /dev/null\n");
+    film(path_from(programs), 0);
     EXPECT_EQ(read_file(folder / "v.mp4"), "whole\n");
     EXPECT_THAT(folder.names(""), ElementsAre("a", "v.mp4"));
 }
@@ -202,8 +195,7 @@ TEST(CaptureSignals, AreSeenBetweenTwoStepsOfALongFrame) {
 class StoppedFfmpeg {
 public:
     explicit StoppedFfmpeg(const TestFolder& folder) : file_(folder / "number") {
-        put_ffmpeg(folder / "ffmpeg",
-                   "echo $$ > " + file_ + ".part; mv " + file_ + ".part " + file_ + "; kill -STOP $$\n");
+        put_ffmpeg(folder, "echo $$ > " + file_ + ".part; mv " + file_ + ".part " + file_ + "; kill -STOP $$\n");
     }
     ~StoppedFfmpeg() {
         if (const auto id = number()) kill(*id, SIGKILL);
@@ -247,8 +239,8 @@ TEST(CaptureSignals, EndARunAtOnceTheSecondTime) {
         EXPECT_THAT(run.wait(60), ::testing::AnyOf(256 + SIGTERM, 256 + SIGINT));
     }
     EXPECT_THAT(folder.names(""), Contains(HasSubstr(".drape")));
-    put_ffmpeg(folder / "ffmpeg", "for last; do :; done; cat > \"$last\"\n");
-    EXPECT_EQ(run_program("drape-capture", words, {{"PATH", folder / "" + ":/bin:/usr/bin"}}).exit_code, 0);
+    put_ffmpeg(folder, "for last; do :; done; cat > \"$last\"\n");
+    EXPECT_EQ(run_program("drape-capture", words, path_from(folder)).exit_code, 0);
     EXPECT_THAT(folder.names(""), Not(Contains(HasSubstr(".drape")))) << "what it has left is still there";
 }
 

@@ -17,11 +17,6 @@ struct Ink {
 };
 constexpr Ink orange_ink{230, 159, 0}, sky_ink{86, 180, 233};
 
-double brightness(const Image& image, int x, int y) {
-    const std::uint8_t* p = image.pixel(x, y);
-    return p[0] + p[1] + p[2];
-}
-
 /// The second of five panels, that of the energy: where its two lines of the axis are, which are faint and go across.
 struct EnergyAxis {
     int left = 0, right = 0, top = 0, bottom = 0;
@@ -30,8 +25,8 @@ struct EnergyAxis {
     explicit EnergyAxis(const Image& empty) {
         const int middle = plots_width * 3 / 10;  // of the second fifth
         const auto is_line = [&](int x, int y) {
-            return brightness(empty, x, y) > brightness(empty, x, y - 2) + 12 &&
-                   brightness(empty, x, y) > brightness(empty, x, y + 2) + 12;
+            return brightness_at(empty, x, y) > brightness_at(empty, x, y - 2) + 12 &&
+                   brightness_at(empty, x, y) > brightness_at(empty, x, y + 2) + 12;
         };
         for (int y = plots_height - 150; y < plots_height - 4; ++y) {
             int across = 0;
@@ -41,10 +36,9 @@ struct EnergyAxis {
             bottom = y;
         }
         const auto ends = [&](int x) { return !is_line(x, top) && !is_line(x - 1, top) && !is_line(x + 1, top); };
-        for (left = middle; left > 0 && !ends(left); --left) {
-        }
-        for (right = middle; right < plots_width && !ends(right); ++right) {
-        }
+        left = right = middle;
+        while (left > 0 && !ends(left)) --left;
+        while (right < plots_width && !ends(right)) ++right;
     }
 
     /// Where a curve of a colour runs at a part of the axis of time, as a part of the height.

@@ -33,6 +33,12 @@ public:
     Running(const TestFolder& folder, const Words& words);
 };
 
+/// PATH of a program that finds others in this folder first.
+std::map<std::string, std::string> path_from(const TestFolder& folder);
+
+/// Gives the folder an `ffmpeg` that is this script.
+void put_ffmpeg(const TestFolder& folder, const std::string& script);
+
 /// Runs one of our programs ("drape-capture") to its end.
 /// @param environment changes to the test's own
 Outcome run_program(const std::string& name, const Words& arguments,

@@ -43,17 +43,14 @@ const Trial trials[] = {
 
 // Another value of a setting, as a user of the panel might choose
 std::string other_value(const Setting& setting, const Settings& settings) {
-    const SettingValue value = setting.read(settings, 0);
-    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "false" : "true";
+    const SettingRow row = make_setting_row(setting, 0, settings, settings);
+    const SettingValue value = row.value, other = another_value(row);
+    if (other != value) return value_text(other);
     if (const double* number = std::get_if<double>(&value)) {
-        const SliderScale scale = slider_scale(setting, *number);
-        double other = *number == 0 ? (scale.low + scale.high) / 3 : 1.7 * *number;
-        if (setting.kind == SettingKind::Integer) other = std::round(*number > 5 ? *number - 4 : *number + 2);
-        return value_text(std::clamp(other, scale.low, scale.high));
-    }
-    if (const auto* name = std::get_if<std::string>(&value)) {
-        const auto found = std::find(setting.choices.begin(), setting.choices.end(), *name);
-        return *name == setting.choices.back() ? setting.choices.front() : *(found + 1);
+        const SliderScale& scale = row.scale;
+        double moved = *number == 0 ? (scale.low + scale.high) / 3 : 1.7 * *number;
+        if (setting.kind == SettingKind::Integer) moved = std::round(*number > 5 ? *number - 4 : *number + 2);
+        return value_text(std::clamp(moved, scale.low, scale.high));
     }
     auto list = std::get<std::vector<double>>(value);
     if (setting.kind == SettingKind::Pins) return setting.choices.front();

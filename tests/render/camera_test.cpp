@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "resting_cloth.h"
+
 namespace drape {
 namespace {
 
@@ -32,11 +34,8 @@ TEST(Camera, SendsItsRayThroughThePixelThatAPointIsSeenIn) {
     const Camera camera(looking({1.6, 0.9, 2.2}, {0, 0.1, 0}));
     const int width = 1280, height = 720;
     const Vec3 point(0.3, -0.2, 0.4);
-    const Eigen::Vector3f clip =
-        (camera.projection_matrix(float(width) / height) * camera.view_matrix() * point.cast<float>().homogeneous())
-            .hnormalized();
-    const int x = static_cast<int>((clip.x() + 1) / 2 * width), y = static_cast<int>((1 - clip.y()) / 2 * height);
-    const Ray ray = camera.ray(x, y, width, height);
+    const Eigen::Vector2i pixel = test::pixel_of(point, camera, width, height);
+    const Ray ray = camera.ray(pixel.x(), pixel.y(), width, height);
     EXPECT_NEAR(ray.direction.norm(), 1, 1e-6);
     EXPECT_LT(ray.direction.cross(point - ray.origin).norm(), 2e-3);
     EXPECT_GT(ray.direction.dot(point - ray.origin), 0);

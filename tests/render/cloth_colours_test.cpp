@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace drape {
 namespace {
 
@@ -85,21 +87,16 @@ TEST_F(ClothColoursTest, TellNeighbouringNodesApart) {
             settings_.view.level = level;
             const std::vector<float> values = values_by(ColourBy::Level);
             std::vector<NodeView> nodes;
-            tree_->nodes_at(std::min(level, tree_->levels() - 1), nodes);
-            std::vector<int> node_of(static_cast<std::size_t>(grid.cells()), -1);
-            const auto cell = [&](int i, int j) { return static_cast<std::size_t>(j * grid.cell_columns() + i); };
-            for (std::size_t n = 0; n < nodes.size(); ++n) {
-                const CellRange& range = nodes[n].cells;
-                for (int j = range.j0; j < range.j1; ++j) {
-                    for (int i = range.i0; i < range.i1; ++i) node_of[cell(i, j)] = static_cast<int>(n);
-                }
-            }
+            tree_->nodes_at(level, nodes);
+            const auto node_of = [&](int i, int j) {
+                return std::ranges::find_if(nodes, [&](const NodeView& node) { return node.cells.holds(i, j); });
+            };
             const auto value = [&](int i, int j) { return values[static_cast<std::size_t>(grid.particle(i + 1, j))]; };
             for (int j = 0; j < grid.cell_rows(); ++j) {
                 for (int i = 0; i < grid.cell_columns(); ++i) {
                     for (const auto& [right, down] : {std::pair{1, 0}, {0, 1}}) {
                         if (i + right >= grid.cell_columns() || j + down >= grid.cell_rows()) continue;
-                        const bool same = node_of[cell(i, j)] == node_of[cell(i + right, j + down)];
+                        const bool same = node_of(i, j) == node_of(i + right, j + down);
                         ASSERT_EQ(value(i, j) == value(i + right, j + down), same)
                             << grid.nx << " x " << grid.ny << ", level " << level << ", cell " << i << ", " << j;
                     }

@@ -7,80 +7,63 @@
 #include <numbers>
 #include <set>
 
+#include "resting_cloth.h"
+
 namespace drape {
 namespace {
 
-struct FlatCloth {
-    explicit FlatCloth(Plane plane) {
-        ClothParameters parameters;
-        parameters.particles = {6, 5};
-        parameters.plane = plane;
-        parameters.pinned.kind = Pins::Kind::Two;
-        model = make_cloth_model(parameters);
-        x = previous = make_rest_state(parameters).x;
-    }
-
-    [[nodiscard]] ClothView view() const { return {model, x, previous, {}, nullptr}; }
-
-    ClothModel model;
-    Points x, previous;
-};
+using test::RestingCloth;
 
 TEST(ClothMesh, HasPlacesBetweenTheLastTwoStatesNormalsOnTheFrontAndMarks) {
-    FlatCloth cloth(Plane::XZ);
+    ClothParameters pinned, upright;
+    pinned.pinned.kind = Pins::Kind::Two;
+    upright.plane = Plane::XY;
+    RestingCloth cloth({6, 5}, pinned);
     cloth.x.col(1).array() += 1;
-    ClothView view = cloth.view();
-    view.grabbed = 7;
+    cloth.view.grabbed = 7;
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices(view, 0, Real(0.25), vertices.data());
+    fill_cloth_vertices(cloth.view, 0, Real(0.25), vertices.data());
     for (int p = 0; p < 30; ++p) {
         const ClothVertex& vertex = vertices[static_cast<std::size_t>(p)];
         EXPECT_FLOAT_EQ(vertex.position[1], 0.25f);
         EXPECT_FLOAT_EQ(vertex.normal[1], 1);
         EXPECT_EQ(vertex.pinned, p == 0 || p == 5 ? 1 : p == 7 ? 2 : 0);
     }
-    fill_cloth_vertices(FlatCloth(Plane::XY).view(), 0, 1, vertices.data());
+    fill_cloth_vertices(RestingCloth({6, 5}, upright).view, 0, 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[2], 1);
     cloth.x.setZero();
-    fill_cloth_vertices(cloth.view(), 0, 1, vertices.data());
+    fill_cloth_vertices(cloth.view, 0, 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_FLOAT_EQ(vertex.normal[1], 1) << "all particles meet";
 }
 
 /// Waves along x, seen from above: hollow in the valleys, the contrary on the crests, nothing in between.
 TEST(ClothMesh, IsHollowInTheFoldsOfItsFront) {
-    ClothParameters parameters;
-    parameters.particles = {41, 5};
-    const ClothModel model = make_cloth_model(parameters);
-    Points x = make_rest_state(parameters).x;
-    for (int p = 0; p < 205; ++p) x(p, 1) = Real(0.05) * std::cos(2 * std::numbers::pi_v<Real> * (p % 41) / 20);
+    RestingCloth cloth({41, 5});
+    for (int p = 0; p < 205; ++p) cloth.x(p, 1) = Real(0.05) * std::cos(2 * std::numbers::pi_v<Real> * (p % 41) / 20);
     std::vector<ClothVertex> vertices(205);
-    fill_cloth_vertices({model, x, x, {}, nullptr}, 0, 1, vertices.data());
-    fill_hollows(model, vertices.data());
-    const auto hollow = [&](int i) { return vertices[static_cast<std::size_t>(model.grid.particle(i, 2))].hollow; };
+    fill_cloth_vertices(cloth.view, 0, 1, vertices.data());
+    const auto hollow = [&](int i) { return vertices[static_cast<std::size_t>(2 * 41 + i)].hollow; };
     EXPECT_GT(hollow(10), 0.2f);
     EXPECT_LT(hollow(20), -0.2f);
     EXPECT_NEAR(hollow(15), 0, 0.02f);
-    x.col(1).setZero();
-    fill_cloth_vertices({model, x, x, {}, nullptr}, 0, 1, vertices.data());
-    fill_hollows(model, vertices.data());
+    cloth.x.col(1).setZero();
+    fill_cloth_vertices(cloth.view, 0, 1, vertices.data());
     for (const ClothVertex& vertex : vertices) EXPECT_NEAR(vertex.hollow, 0, 1e-3f);
 }
 
 /// Laid out flat; the last corner of both triangles of a cell is its corner b.
 TEST(ClothMesh, HasPlacesInMetresAndTrianglesThatEndAtCornerB) {
-    ClothParameters parameters;
-    parameters.particles = {6, 5};
-    parameters.width = 2;
-    const ClothModel model = make_cloth_model(parameters);
-    const Points x = make_rest_state(parameters).x;
+    ClothParameters wide;
+    wide.width = 2;
+    const RestingCloth cloth({6, 5}, wide);
     std::vector<ClothVertex> vertices(30);
-    fill_cloth_vertices({model, x, x, {}, nullptr}, 3, 1, vertices.data());
+    fill_cloth_vertices(cloth.view, 3, 1, vertices.data());
     EXPECT_EQ(vertices[0].place, (std::array<float, 4>{0, 0, 2, 1}));
     EXPECT_EQ(vertices[0].number, 3);
     EXPECT_FLOAT_EQ(vertices[13].place[0], 0.4f);
     EXPECT_FLOAT_EQ(vertices[13].place[1], 0.5f);
 
-    const Grid grid{6, 5};
+    const Grid& grid = cloth.model.grid;
     const std::vector<std::uint32_t> indices = triangle_indices({&grid, 1});
     for (std::size_t t = 0; 3 * t < indices.size(); ++t) {
         const auto cell = static_cast<int>(t / 2);

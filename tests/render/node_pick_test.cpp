@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "render/drawn_nodes.h"
+#include "resting_cloth.h"
 
 namespace drape {
 namespace {
@@ -15,47 +16,33 @@ protected:
     static constexpr int width = 800, height = 600;
 
     explicit NodesUnderThePointer(VolumeKind volume = VolumeKind::Sphere) {
-        ClothParameters parameters;
-        parameters.particles = {33, 33};
-        model_ = make_cloth_model(parameters);
-        x_ = make_rest_state(parameters).x;
         settings_.contact.volume = volume;
         settings_.contact.leaf_cells = 4;
         settings_.view.bounds = true;
         settings_.view.eye = Vec3(Real(0.5), 3, Real(0.6));
         settings_.view.target = Vec3(Real(0.5), 0, Real(0.5));
-        tree_ = make_broad_phase(broad_phase_of(settings_), model_.grid);
-        tree_->build(x_);
+        tree_ = make_broad_phase(broad_phase_of(settings_), cloth_.model.grid);
+        tree_->build(cloth_.x);
         balls_.push_back({Vec3::Zero(), Real(0.1), Vec3::Zero()});
         tree_->query(grown(balls_[0], settings_.contact.thickness), found_);
         report_.step = 1;
-        cloths_.push_back({model_, x_, x_, {}, tree_.get()});
-        view_.cloths = cloths_;
+        cloth_.view.hierarchy = tree_.get();
+        view_.cloths = {&cloth_.view, 1};
         view_.balls = balls_;
         view_.settings = &settings_;
         view_.report = &report_;
     }
 
-    /// The pixel that shows a point.
-    [[nodiscard]] Eigen::Vector2i pixel(const Vec3& point) const {
-        const Camera camera(settings_.view);
-        const Eigen::Vector4f clip =
-            camera.projection_matrix(float(width) / height) * camera.view_matrix() * point.cast<float>().homogeneous();
-        return {static_cast<int>((clip.x() / clip.w() + 1) / 2 * width),
-                static_cast<int>((1 - clip.y() / clip.w()) / 2 * height)};
-    }
     [[nodiscard]] std::optional<NodePick> pick(const Vec3& point) const {
-        const Eigen::Vector2i at = pixel(point);
+        const Eigen::Vector2i at = test::pixel_of(point, Camera(settings_.view), width, height);
         return pick_node(view_, Camera(settings_.view), at.x(), at.y(), width, height);
     }
 
     Settings settings_;
-    ClothModel model_;
-    Points x_;
+    test::RestingCloth cloth_{{33, 33}};
     std::unique_ptr<BroadPhase> tree_;
     Candidates found_;
     std::vector<Ball> balls_;
-    std::vector<ClothView> cloths_;
     StepReport report_;
     FrameView view_;
 };
@@ -111,14 +98,14 @@ TEST_F(NodesUnderThePointer, SayWhoTheyAreAndWhy) {
 TEST_F(BoxesUnderThePointer, AreTightWhereTheyAreNoLargerThanTheSmallestSphere) {
     std::vector<NodeView> nodes;
     tree_->nodes_at(1, nodes);
-    EXPECT_NEAR(tightness(nodes[0], 0, model_.grid, x_), 1, 1e-9) << "a flat square";
+    EXPECT_NEAR(tightness(nodes[0], 0, cloth_.model.grid, cloth_.x), 1, 1e-9) << "a flat square";
     const Real half = Real(0.5) * std::sqrt(Real(0.5));  // of its diagonal
-    EXPECT_NEAR(tightness(nodes[0], half, model_.grid, x_), 2, 1e-9) << "slack counts";
+    EXPECT_NEAR(tightness(nodes[0], half, cloth_.model.grid, cloth_.x), 2, 1e-9) << "slack counts";
 
     LevelFits fits;
     for (const LevelFit& fit : fits.look(view_, tree_->levels())) EXPECT_NEAR(fit.tightness, 1, 1e-9);
     nodes[0].volume = Aabb{Vec3(-1, 0, -1), Vec3(2, 0, 2)};
-    EXPECT_NEAR(tightness(nodes[0], 0, model_.grid, x_), 6, 1e-9);
+    EXPECT_NEAR(tightness(nodes[0], 0, cloth_.model.grid, cloth_.x), 6, 1e-9);
 }
 
 }  // namespace

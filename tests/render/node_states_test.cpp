@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "resting_cloth.h"
 #include "support/cloths.h"
 
 namespace drape {
@@ -54,16 +55,13 @@ TEST(LevelCounts, SumUpToWhatTheQueryDid) {
 }
 
 TEST(ShownNodes, AreThoseOfTheLevelOrPastTheFinestAll) {
-    ClothParameters parameters;
-    parameters.particles = {17, 17};
-    const ClothModel model = make_cloth_model(parameters);
-    const Points x = make_rest_state(parameters).x;
-    const auto tree = make_broad_phase({.volume = VolumeKind::Aabb, .leaf_cells = 4}, parameters.particles);
-    tree->build(x);
-    const ClothView cloth{model, x, x, {}, tree.get()};
+    test::RestingCloth cloth({17, 17});
+    const auto tree = make_broad_phase({.volume = VolumeKind::Aabb, .leaf_cells = 4}, cloth.model.grid);
+    tree->build(cloth.x);
+    cloth.view.hierarchy = tree.get();
     Settings settings;
     FrameView view;
-    view.cloths = {&cloth, 1};
+    view.cloths = {&cloth.view, 1};
     view.settings = &settings;
     std::size_t all = 0;
     for (int level = 0; level < tree->levels(); ++level) {

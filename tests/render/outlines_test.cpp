@@ -33,9 +33,9 @@ TEST(Outlines, OfALevelShowWhatTheQueryDidAndWhatTouches) {
             std::set<NodeState> all;
             for (std::size_t s = 0; s < outlines.spheres.size(); ++s) {
                 all.insert(outlines.spheres[s].state);
-                EXPECT_EQ(outlines.spheres[s].radius, std::get<BoundingSphere>(nodes[s].volume).radius + slack);
+                EXPECT_NEAR(outlines.spheres[s].radius, std::get<BoundingSphere>(nodes[s].volume).radius + slack, 1e-6);
             }
-            for (const Outlines::Edge& edge : outlines.edges) all.insert(edge.state);
+            for (const Outlines::Edge& edge : outlines.edges) all.insert(edge.from.state);
             return all;
         };
         ContactRow first, last;
@@ -60,11 +60,11 @@ std::vector<Vec3> check_outline(const Volume& volume, std::size_t faces) {
     EXPECT_LE(outlines.edges.size(), 3 * faces - 6);
     std::vector<Vec3> ends;
     for (const Outlines::Edge& edge : outlines.edges) {
-        for (const Vec3& end : {edge.from, edge.to}) {
-            EXPECT_NEAR(static_cast<double>(test::stands_out(volume, end) / size), 0, 1e-4);
-            ends.push_back(end);
+        const Vec3 from = edge.from.point.cast<Real>(), to = edge.to.point.cast<Real>();
+        for (const Vec3& point : {from, to, Vec3((from + to) / 2)}) {
+            EXPECT_NEAR(static_cast<double>(test::stands_out(volume, point) / size), 0, 1e-4);
         }
-        EXPECT_NEAR(static_cast<double>(test::stands_out(volume, (edge.from + edge.to) / 2) / size), 0, 1e-4);
+        ends.insert(ends.end(), {from, to});
     }
     for (const Vec3& end : ends) {
         const auto near = [&](const Vec3& other) { return (other - end).norm() < 1e-3 * static_cast<double>(size); };
@@ -111,7 +111,7 @@ TEST(Outlines, OfAFlatClothHaveEachEdgeTwice) {
         Outlines outlines;
         append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::FalseInner, outlines);
         EXPECT_EQ(outlines.edges.size(), 8u);
-        for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), side, 1e-3);
+        for (const auto& [from, to] : outlines.edges) EXPECT_NEAR((to.point - from.point).norm(), side, 1e-3);
     }
 }
 
@@ -124,7 +124,7 @@ TEST(Outlines, OfAPointOrALineAreNothingOrTheLine) {
     for (int p = 0; p < 9; ++p) x(p, 1) = p;
     append_outline(KDop<26>::fit(whole(x, grid)), 0, NodeState::FalseInner, outlines);
     ASSERT_FALSE(outlines.edges.empty());
-    for (const Outlines::Edge& edge : outlines.edges) EXPECT_NEAR((edge.to - edge.from).norm(), 8, 1e-3);
+    for (const auto& [from, to] : outlines.edges) EXPECT_NEAR((to.point - from.point).norm(), 8, 1e-3);
 }
 
 }  // namespace

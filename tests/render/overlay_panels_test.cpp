@@ -14,10 +14,6 @@
 namespace drape {
 namespace {
 
-struct PictureShape {
-    int width, height;
-};
-
 class PanelBoxes : public testing::Test {
 protected:
     PanelBoxes() : simulation_("drop", load_scene("drop")) {
@@ -42,7 +38,7 @@ protected:
             {"F1, F2, Esc", "Next stop, previous stop, end of the tour"}};
     }
 
-    const std::vector<PanelBox>& boxes(PictureShape size, const std::vector<std::string>& notices) {
+    const std::vector<PanelBox>& boxes(PictureSize size, const std::vector<std::string>& notices) {
         FrameView view = simulation_.view();
         view.settings = &settings_;
         FrameReport report;
@@ -59,10 +55,9 @@ protected:
         return panels_.boxes();
     }
 
-    void expect_apart(PictureShape size, const std::vector<std::string>& notices) {
+    void expect_apart(PictureSize size, const std::vector<std::string>& notices) {
         const std::vector<PanelBox>& all = boxes(size, notices);
-        SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", text " +
-                     std::to_string(settings_.view.text_scale) + ", controls " +
+        SCOPED_TRACE(size_text(size) + ", text " + std::to_string(settings_.view.text_scale) + ", controls " +
                      std::to_string(settings_.view.controls) + ", plots " + std::to_string(settings_.view.plots) +
                      ", help " + std::to_string(settings_.view.help));
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -82,13 +77,13 @@ protected:
     OverlayPanels panels_;
 };
 
-const PictureShape picture_shapes[] = {{640, 480}, {1280, 720}, {3840, 2160}};
+const PictureSize picture_shapes[] = {{640, 480}, {1280, 720}, {3840, 2160}};
 
 TEST_F(PanelBoxes, AreApartAndWithinThePictureAtEverySize) {
     give_hint();
     const std::vector<std::string> notice{
         "Diverged at step 242 (RK4): particle 103 (column 7, row 6) at 520 m/s, its structural spring to 102"};
-    for (const PictureShape& size : picture_shapes) {
+    for (const PictureSize& size : picture_shapes) {
         for (const double scale : {0.5, 1.0, 4.0}) {
             for (int on = 0; on < 32; ++on) {
                 settings_.view.text_scale = scale;
@@ -133,7 +128,7 @@ TEST_F(PanelBoxes, AlwaysHaveTheTour) {
     settings_.view.panel = PanelSize::Full;
     settings_.view.bounds = false;
     give_hint();
-    for (const PictureShape& size : picture_shapes) {
+    for (const PictureSize& size : picture_shapes) {
         for (const double scale : {1.0, 4.0}) {
             for (const bool on : {false, true}) {
                 settings_.view.text_scale = scale;
@@ -160,7 +155,7 @@ TEST_F(PanelBoxes, AreTwiceAsLargeOnADisplayOfTwiceAsManyPixels) {
 }
 
 TEST_F(PanelBoxes, AreNotSmallerOnADisplayOfMorePixels) {
-    for (const PictureShape& size : {PictureShape{1280, 720}, PictureShape{1920, 1080}}) {
+    for (const PictureSize& size : {PictureSize{1280, 720}, PictureSize{1920, 1080}}) {
         float before = 0;
         for (const double scale : {1.0, 1.25, 1.5, 2.0}) {
             panels_.display_scale = scale;

@@ -66,10 +66,11 @@ protected:
         type(enter);
     }
 
-    void close_list() {
-        if (!panels_.settings.list_open()) return;
-        panels_.settings.close_list();
+    /// @return whether one was open
+    bool close_list() {
+        const bool is_open = panels_.close_list();
         frames();
+        return is_open;
     }
 
     std::vector<std::string> changes() { return std::exchange(panels_.wishes.changes, {}); }
@@ -186,15 +187,16 @@ TEST_F(PanelInput, HiddenInMidDragItForgetsTheDrag) {
 TEST_F(PanelInput, AListOfNamesIsClosedFromOutside) {
     std::vector<std::string> given;
     int y = 0;
-    while (!panels_.settings.list_open() && (y += 6) < page_height) click(widget(), y);
-    ASSERT_TRUE(panels_.settings.list_open());
-    static_cast<void>(changes());
-    panels_.settings.close_list();
-    frames();
-    EXPECT_FALSE(panels_.settings.list_open());
+    bool is_open = false;
+    while (!(is_open = close_list()) && (y += 6) < page_height) {
+        static_cast<void>(changes());
+        click(widget(), y);
+    }
+    ASSERT_TRUE(is_open);
+    EXPECT_FALSE(close_list());
     EXPECT_THAT(changes(), IsEmpty());
     click(widget(), y);
-    EXPECT_TRUE(panels_.settings.list_open()) << "it opens again";
+    EXPECT_TRUE(close_list()) << "it opens again";
 }
 
 TEST(CompareSection, BeginsWithAnotherNameThanTheRunsAndWithItsNumbers) {

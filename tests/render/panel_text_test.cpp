@@ -70,6 +70,9 @@ TEST_F(PanelText, SaysInOneLineWhetherTheTreeSavesTestsAndTime) {
     EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 2.0x as fast (B)"));
     search_->brute_force = 4.4e-3;
     EXPECT_THAT(text(), HasSubstr("tests saved 94 %, 169x as fast (B)"));
+    settings_.view.panel = PanelSize::Full;
+    search_->hierarchy = 999.94e-6, search_->brute_force = 999.96e-6;
+    EXPECT_THAT(text(), AllOf(HasSubstr("in all 999.9 us"), HasSubstr("by brute force 1.00 ms"))) << "as best read";
 }
 
 TEST_F(PanelText, HasNoTimesOfWhatASleepingSceneDoesNotDo) {

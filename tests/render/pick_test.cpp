@@ -1,28 +1,17 @@
 #include <gtest/gtest.h>
 
-#include "drape/render/camera.h"
+#include "resting_cloth.h"
 
 namespace drape {
 namespace {
 
-/// A flat cloth of 1 m in the plane y = 0, from (0, 0, 0) to (1, 0, 1).
-struct PickedCloth {
-    explicit PickedCloth(int particles) {
-        ClothParameters parameters;
-        parameters.particles = {particles, particles};
-        model = make_cloth_model(parameters);
-        x = make_rest_state(parameters).x;
-    }
+using test::RestingCloth;
 
-    ClothModel model;
-    Points x;
-    std::vector<ClothView> views{{model, x, x, {}, nullptr}};
-};
-
+// Of 1 m in the plane y = 0, from (0, 0, 0) to (1, 0, 1)
 TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHitAndNothingBesideOrBehind) {
-    const PickedCloth cloth(11);
+    const RestingCloth cloth({11, 11});
     FrameView view;
-    view.cloths = cloth.views;
+    view.cloths = {&cloth.view, 1};
     const Vec3 down(0, -1, 0), up(0, 1, 0);
     const Pick pick = pick_particle(view, {Vec3(0.31, 1, 0.52), down});
     EXPECT_EQ(pick.particle, 5 * 11 + 3);
@@ -42,10 +31,10 @@ TEST(PickParticle, TakesTheNearestCornerOfTheTriangleThatIsHitAndNothingBesideOr
 }
 
 TEST(PickParticle, TakesTheClothThatIsInFront) {
-    const PickedCloth low(5);
-    PickedCloth high(5);
+    const RestingCloth low({5, 5});
+    RestingCloth high({5, 5});
     high.x.col(1).setConstant(Real(0.5));
-    const std::vector<ClothView> cloths{low.views[0], high.views[0]};
+    const std::vector<ClothView> cloths{low.view, high.view};
     FrameView view;
     view.cloths = cloths;
     EXPECT_EQ(pick_particle(view, {Vec3(0.5, 1, 0.5), Vec3(0, -1, 0)}).cloth, 1);

@@ -24,11 +24,9 @@ protected:
         for (int p = 0; p < grid.particles(); ++p) {
             const double angle = degrees * std::numbers::pi / 180 * (p % grid.nx);
             ClothVertex& vertex = vertices_[static_cast<std::size_t>(p)];
-            vertex.position[0] = vertex.normal[0] = static_cast<float>(std::sin(angle));
-            vertex.position[1] = vertex.normal[1] = static_cast<float>(std::cos(angle));
-            for (int axis = 0; axis < 2; ++axis)
-                vertex.position[axis] *= static_cast<float>(1 + bulge * std::sin(1 + p / grid.nx));
-            vertex.position[2] = 0.1f * static_cast<float>(p / grid.nx);
+            vertex.normal = Eigen::Vector3d(std::sin(angle), std::cos(angle), 0).cast<float>();
+            vertex.position = static_cast<float>(1 + bulge * std::sin(1 + p / grid.nx)) * vertex.normal;
+            vertex.position.z() = 0.1f * static_cast<float>(p / grid.nx);
             vertex.value = static_cast<float>(p);
             vertex.pinned = 1;
             vertex.place = {static_cast<float>(p), 1, 2, 3};
@@ -45,9 +43,7 @@ protected:
         return indices_;
     }
 
-    [[nodiscard]] Eigen::Vector3f at(std::uint32_t vertex) const {
-        return Eigen::Map<const Eigen::Vector3f>(vertices_[vertex].position);
-    }
+    [[nodiscard]] const Eigen::Vector3f& at(std::uint32_t vertex) const { return vertices_[vertex].position; }
 
     /// How often each edge is used, by the way in which its triangle goes round.
     [[nodiscard]] std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses() const {
@@ -75,7 +71,7 @@ TEST_F(SmoothOutlineTest, IsRoundWhereThePolygonHasCornersAndLeavesTheParticlesW
     const std::vector<ClothVertex> before = vertices_;
     fill(beside, 1e6f);
     for (std::size_t p = 0; p < 72; ++p) {
-        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(vertices_[p].position[axis], before[p].position[axis]);
+        EXPECT_EQ(vertices_[p].position, before[p].position);
         EXPECT_EQ(vertices_[p].pinned, 1);
     }
     const double polygon = 1 - std::cos(10 * std::numbers::pi / 180);
@@ -93,7 +89,7 @@ TEST_F(SmoothOutlineTest, IsRoundWhereThePolygonHasCornersAndLeavesTheParticlesW
     EXPECT_EQ(middle.pinned, 0);
     EXPECT_EQ(middle.place, (std::array{9.5f, 1.0f, 2.0f, 3.0f}));
     EXPECT_EQ(middle.number, 5);
-    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(middle.normal[axis], (a.normal[axis] + b.normal[axis]) / 2, 1e-6);
+    EXPECT_LT((middle.normal - (a.normal + b.normal) / 2).norm(), 1e-6f);
 }
 
 TEST_F(SmoothOutlineTest, HasNoGapsAndKeepsItsFront) {
@@ -126,10 +122,8 @@ TEST_F(SmoothOutlineTest, HasNoGapsAndKeepsItsFront) {
 
 TEST_F(SmoothOutlineTest, DrawsTheTrianglesAsTheyAreWhereTheyFaceTheEye) {
     roll({5, 4}, 2);
-    for (std::size_t p = 0; p < 20; ++p) vertices_[p].position[1] = 1;  // flat, with borders that are straight
-    for (int j = 0; j < 4; ++j) {
-        for (int i = 0; i < 5; ++i)
-            vertices_[static_cast<std::size_t>(5 * j + i)].position[0] = 0.1f * static_cast<float>(i);
+    for (std::size_t p = 0; p < 20; ++p) {  // flat, with borders that are straight
+        vertices_[p].position.head<2>() << 0.1f * static_cast<float>(p % 5), 1;
     }
     EXPECT_EQ(fill({0, 50, 0}), triangle_indices({&grid_, 1}));
 }

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "render/panels.h"
-
 namespace drape {
 namespace {
 
@@ -35,13 +33,6 @@ TEST_F(MedianSteps, ShowNoPauseOfTheMachineButStepsThatTakeLongerNow) {
     report_.step = 0;
     make_step(5e-4);
     EXPECT_EQ(shown(), 5e-4) << "another run";
-}
-
-TEST(TimeText, IsInMillisecondsFromAThousandMicrosecondsOn) {
-    EXPECT_EQ(time_text(812.34), "812.3 us");
-    EXPECT_EQ(time_text(999.94), "999.9 us");
-    EXPECT_EQ(time_text(999.96), "1.00 ms");
-    EXPECT_EQ(time_text(12346), "12.35 ms");
 }
 
 }  // namespace
