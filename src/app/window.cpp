@@ -6,11 +6,13 @@
 #include <GL/freeglut_ucall.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "display.h"
 #include "drape/base/input_error.h"
+#include "drape/base/numbers.h"
 #include "drape/base/run_program.h"
 #include "drape/scene/scene.h"
 #include "drape/session/failure.h"
@@ -248,11 +250,9 @@ void Window::tell_of_drops() {
     dropped_ = dropped;
     const Simulation& simulation = session_.simulation();
     if (draws_fast() || simulation.report().asleep) return;
-    std::string seconds = std::to_string(dropped);
-    seconds.resize(seconds.find('.') + 2);
     const bool real = simulation.settings().view.speed == 1;
     notices_.add("dropped", std::string("The scene runs slower than ") + (real ? "real time" : "view.speed asks") +
-                                ": " + seconds + " s behind so far");
+                                ": " + real_text(std::round(10 * dropped) / 10, 6) + " s behind so far");
 }
 
 // As it leaves the picture

@@ -300,21 +300,6 @@ void draw_row(const Row& row, float top, const Columns& columns) {
     if (filled > 1) list.AddRectFilled({columns.bar, upper}, {columns.bar + filled, lower}, ink::bar, 2);
 }
 
-// What the row means, beside the panel
-void explain(const Row& row, ImVec2 corner) {
-    const std::string_view help = figure_help(row.name);
-    if (help.empty()) return;
-    const float size = ImGui::GetFontSize();
-    ImGui::SetNextWindowPos(corner);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(28 * size);
-    ImGui::TextUnformatted(help.data(), help.data() + help.size());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
-}
-
 }  // namespace
 
 PanelBox figures_panel(const FrameView& view, const FrameReport& last, const PanelFont& title, const OverlayPage& page,
@@ -352,7 +337,7 @@ PanelBox figures_panel(const FrameView& view, const FrameReport& last, const Pan
         if (row.opens_group) top += gap;
         draw_row(row, top, columns);
         if (PanelBox{box.left, top, box.right, top + line}.covers(pointer.x, pointer.y)) {
-            explain(row, {box.right + margin / 2, top});
+            tooltip({{ink::text, std::string(figure_help(row.name))}}, ImVec2{box.right + margin / 2, top});
         }
         top += line;
     }

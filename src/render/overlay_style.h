@@ -6,10 +6,12 @@
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drape {
@@ -113,6 +115,22 @@ inline void wrapped_text(ImVec2 corner, float width, ImU32 colour, std::string_v
     ImGui::PushTextWrapPos(corner.x + width);
     text_at(corner, colour, text);
     ImGui::PopTextWrapPos();
+}
+
+/// Wrapped texts at a place, or else at the pointer, each in a colour. Nothing if the first is empty.
+inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, std::optional<ImVec2> corner = {}) {
+    if (texts.begin()->second.empty()) return;
+    const float size = ImGui::GetFontSize();
+    if (corner) ImGui::SetNextWindowPos(*corner);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(28 * size);
+    for (const auto& [colour, text] : texts) {
+        if (!text.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour), "%s", text.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
 }
 
 /// A patch of a colour, in sRGB, with what it means beside it.

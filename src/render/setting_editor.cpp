@@ -86,15 +86,10 @@ SettingValue another_value(const SettingRow& row) {
 
 void SettingEditor::explain(const SettingRow& row) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(28 * ImGui::GetFontSize());
     const Setting& setting = *row.setting;
-    ImGui::TextUnformatted((setting.full_name() + ": " + setting.help).c_str());
-    if (!row.no_effect.empty())
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::wait), "%s", row.no_effect.c_str());
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(ink::quiet), "%s", accepted(setting).c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
+    tooltip({{ink::text, setting.full_name() + ": " + setting.help},
+             {ink::wait, row.no_effect},
+             {ink::quiet, accepted(setting)}});
 }
 
 std::optional<SettingValue> SettingEditor::edit(const SettingRow& row) {
