@@ -123,6 +123,7 @@ inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, 
     const float size = ImGui::GetFontSize();
     if (corner) ImGui::SetNextWindowPos(*corner);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, size / 3);
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(28 * size);
     for (const auto& [colour, text] : texts) {
@@ -130,7 +131,7 @@ inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, 
     }
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
-    ImGui::PopStyleVar();
+    ImGui::PopStyleVar(2);
 }
 
 /// A patch of a colour, in sRGB, with what it means beside it.
