@@ -28,7 +28,7 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
     {"contacts", "%.0f", [](const StepReport& r) { return static_cast<double>(r.contacts); }},
     {"penetration [mm]", "%.3f", [](const StepReport& r) { return 1e3 * r.penetration; }},
     {"stretch [%]", "%.2f", [](const StepReport& r) { return 100 * r.stretch; }},
-    {"energy [J]", "%.4f", [](const StepReport& r) { return r.energy.total(); }},
+    {"energy [J]", "%.4g", [](const StepReport& r) { return r.energy.total(); }},
 }};
 
 // Less than a picometre is rounding
