@@ -45,6 +45,7 @@ public:
                                 moves_by_hand(sight.view.settings->balls[static_cast<std::size_t>(pick.ball)]);
         if (pick.particle < 0 && !takes_ball) {
             doing_ = Doing::Orbiting;
+            orbits_from_ball_ = pick.ball >= 0;
             return {};
         }
         if (held.control && !takes_ball) return {command::Pin{pick.cloth, pick.particle}};
@@ -88,6 +89,9 @@ public:
     /// Whether anything waits for `flush`.
     [[nodiscard]] bool moved() const { return doing_ != Doing::Nothing && (x_ != from_x_ || y_ != from_y_); }
 
+    /// Whether the view is turned although the button went down on a ball, which the hand does not move.
+    [[nodiscard]] bool orbits_from_ball() const { return doing_ == Doing::Orbiting && orbits_from_ball_; }
+
     /// Whether something is being done.
     [[nodiscard]] bool busy() const { return doing_ != Doing::Nothing; }
 
@@ -105,6 +109,7 @@ private:
 
     Doing doing_ = Doing::Nothing;
     Button button_ = Button::Left;
+    bool orbits_from_ball_ = false;
     int from_x_ = 0, from_y_ = 0;  ///< where the last command left off
     int x_ = 0, y_ = 0;
     Vec3 hand_ = Vec3::Zero();       ///< the point that is pulled

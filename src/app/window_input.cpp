@@ -239,6 +239,7 @@ void Window::on_button(int button, int state, int x, int y) {
     if (down) {
         forget_hint();
         carry_out(pointer_.press(which, held, x, y, sight));
+        if (pointer_.orbits_from_ball()) notices_.add("ball", "The hand does not move this ball: the view turns");
     } else {
         pointer_.move(x, y);
         carry_out(pointer_.release(which, sight));

@@ -31,6 +31,7 @@ struct Pointed {
     Simulation simulation;
     Camera camera;
     int x = 0, y = 0;
+    Pointer pointer;
 
 private:
     [[nodiscard]] Sight sight() {
@@ -49,7 +50,6 @@ private:
     }
 
     FrameView view_;
-    Pointer pointer;
 };
 
 TEST(Pointer, LeadsABallWithTheGrabbedPointUnderIt) {
@@ -74,7 +74,12 @@ TEST(Pointer, TurnsTheViewAtABallThatIsStillOrOnAPath) {
     for (const char* scene : {"drop", "curtain"}) {
         Pointed at(scene, {"cloth.centre=0,9,0", "ground.solid=false"});
         EXPECT_EQ(at.press(), "") << scene;
+        EXPECT_TRUE(at.pointer.orbits_from_ball()) << "which the user is told of";
         EXPECT_EQ(at.drag(20, 0), "orbit") << scene;
+        at.release();
+        at.y = page_height - 1;
+        at.press();
+        EXPECT_FALSE(at.pointer.orbits_from_ball()) << "beside it";
     }
 }
 
