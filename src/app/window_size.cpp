@@ -11,18 +11,6 @@
 
 namespace drape {
 
-namespace {
-
-constexpr int most_side = 8192;  // that `parse_size` allows
-
-PictureSize within(const PictureSize& size, const PictureSize& most) {
-    constexpr int least_width = 320, least_height = 180;
-    return {std::clamp(size.width, least_width, std::max(most.width, least_width)),
-            std::clamp(size.height, least_height, std::max(most.height, least_height))};
-}
-
-}  // namespace
-
 std::filesystem::path window_size_file() {
     const auto folder = [](const char* variable) {
         const char* const value = std::getenv(variable);
@@ -35,13 +23,15 @@ std::filesystem::path window_size_file() {
 }
 
 std::optional<PictureSize> kept_window_size(const PictureSize& screen) {
-    constexpr int longest_text = 16;
+    constexpr int longest_text = 16, min_width = 320, min_height = 180;
     const std::filesystem::path file = window_size_file();
     if (file.empty()) return std::nullopt;
     try {
         std::string text = read_text(file, longest_text, InputKind::Regular);
         if (text.ends_with('\n')) text.pop_back();
-        return within(parse_size(text), screen);
+        const PictureSize size = parse_size(text);
+        return PictureSize{std::clamp(size.width, min_width, std::max(screen.width, min_width)),
+                           std::clamp(size.height, min_height, std::max(screen.height, min_height))};
     } catch (const InputError&) {
         return std::nullopt;
     }
@@ -56,7 +46,7 @@ void keep_window_size(const PictureSize& size) {
     umask(mask);
     try {
         OutputFile out(file);
-        out.stream() << size_text(within(size, {most_side, most_side})) << "\n";
+        out.stream() << size_text(size) << "\n";
         out.close();
     } catch (const RunError&) {
         return;
