@@ -60,16 +60,9 @@ double sine(double x) {
     if (!std::isfinite(x)) return std::numeric_limits<double>::quiet_NaN();
     const double n = std::round(x * (2 / pi));
     const Sum r = less_quarter_turns(x, n);
-    switch (static_cast<int>(n) & 3) {
-        case 0:
-            return sine_near_zero(r);
-        case 1:
-            return cosine_near_zero(r);
-        case 2:
-            return -sine_near_zero(r);
-        default:
-            return -cosine_near_zero(r);
-    }
+    const int quarter = static_cast<int>(n) & 3;
+    const double size = quarter % 2 == 0 ? sine_near_zero(r) : cosine_near_zero(r);
+    return quarter < 2 ? size : -size;
 }
 
 double natural_log(double x) {

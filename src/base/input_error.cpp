@@ -26,16 +26,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 /// A byte as C writes it.
 std::string escaped(unsigned char byte) {
     constexpr std::string_view digits = "0123456789abcdef";
-    switch (byte) {
-        case '\n':
-            return "\\n";
-        case '\r':
-            return "\\r";
-        case '\t':
-            return "\\t";
-        default:
-            return {'\\', 'x', digits[byte / 16], digits[byte % 16]};
-    }
+    if (byte == '\n') return "\\n";
+    if (byte == '\r') return "\\r";
+    if (byte == '\t') return "\\t";
+    return {'\\', 'x', digits[byte / 16], digits[byte % 16]};
 }
 
 /// Whether a UTF-8 text has one of the control characters U+0080 to U+009F here, of which terminals know some.

@@ -61,24 +61,20 @@ BoundingSphere fit_ritter_sphere(const Patch& patch) {
 }
 
 /// In space, four points determine a sphere: a support never has more.
-constexpr int largest_support = 4;
+constexpr std::size_t largest_support = 4;
 
 /// A few points, without the heap.
 struct Points5 {
     std::array<Vec3, largest_support + 1> point;
-    int count = 0;
+    std::size_t count = 0;
 
-    void add(const Vec3& p) { point[at(count++)] = p; }
-    [[nodiscard]] const Vec3& operator[](int k) const { return point[at(k)]; }
+    void add(const Vec3& p) { point[count++] = p; }
 
     [[nodiscard]] Real farthest_square(const Vec3& centre) const {
         Real square = 0;
-        for (int k = 0; k < count; ++k) square = std::max(square, (point[at(k)] - centre).squaredNorm());
+        for (std::size_t k = 0; k < count; ++k) square = std::max(square, (point[k] - centre).squaredNorm());
         return square;
     }
-
-private:
-    static std::size_t at(int k) { return static_cast<std::size_t>(k); }
 };
 
 /// The centre, in their line, plane or space, of the sphere through up to four points; none where one of them is in the
@@ -86,14 +82,14 @@ private:
 /// one is as far as they are. @cite gaertner1999
 std::optional<Vec3> circumcentre(const Points5& points) {
     constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
-    const Vec3& origin = points[0];
+    const Vec3& origin = points.point[0];
     Vec3 centre = Vec3::Zero();   // from the origin
     Vec3 sides[largest_support];  // at right angles to one another
-    for (int k = 1; k < points.count; ++k) {
-        const Vec3 point = points[k] - origin;
+    for (std::size_t k = 1; k < points.count; ++k) {
+        const Vec3 point = points.point[k] - origin;
         Vec3& side = sides[k];
         side = point;
-        for (int j = 1; j < k; ++j) side -= side.dot(sides[j]) / sides[j].squaredNorm() * sides[j];
+        for (std::size_t j = 1; j < k; ++j) side -= side.dot(sides[j]) / sides[j].squaredNorm() * sides[j];
         const Real square = side.squaredNorm();
         if (!(square > epsilon * epsilon * point.squaredNorm())) return std::nullopt;
         centre += point.dot(point - 2 * centre) / (2 * square) * side;
@@ -116,8 +112,8 @@ SupportedSphere smallest_with(const Vec3& point, const Points5& others) {
     for (unsigned chosen = 1; chosen < 1u << others.count; ++chosen) {
         Points5 support;
         support.add(point);
-        for (int k = 0; k < others.count; ++k) {
-            if (chosen & 1u << k) support.add(others[k]);
+        for (std::size_t k = 0; k < others.count; ++k) {
+            if (chosen & 1u << k) support.add(others.point[k]);
         }
         if (support.count > largest_support) continue;
         const std::optional<Vec3> centre = circumcentre(support);

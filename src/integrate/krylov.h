@@ -8,15 +8,9 @@
 /// Solvers of linear systems. Their reports have the residual |b - A x| / |b|, measured at the end, for that of the
 /// recursion drifts. Conjugate gradients have converged where their recursion has, in the norm that they stop in, and
 /// the residual is within the tolerance or within `drift` times that of the recursion; biconjugate gradients, where it
-/// is within `drift` times the tolerance.
+/// is within `drift` times the tolerance. They stop at a residual so much smaller than the right side as the tolerance
+/// says, in their own norm, or after `most` iterations.
 namespace drape::krylov {
-
-/// When to stop: at a residual this much smaller than the right side, in the solver's own norm, or after so many
-/// iterations.
-struct Limits {
-    Real tolerance;
-    int iterations;
-};
 
 /// What is measured at the end may be this many times as much: the recursion that stops a solver drifts.
 constexpr Real drift = 2;
@@ -44,15 +38,15 @@ public:
         : r_(particles, 3), p_(particles, 3), q_(particles, 3), z_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    SolveReport solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Real tolerance, int most, Apply apply, Precondition precondition) {
         x.setZero();
         r_ = b;
         precondition(r_, z_);
         p_ = z_;
         Real rz = dot(r_, z_);
-        const Real enough = limits.tolerance * limits.tolerance * std::max(rz, Real(0));
-        SolveReport report{.tolerance = limits.tolerance};
-        while (rz > enough && report.iterations < limits.iterations) {
+        const Real enough = tolerance * tolerance * std::max(rz, Real(0));
+        SolveReport report{.tolerance = tolerance};
+        while (rz > enough && report.iterations < most) {
             apply(p_, q_);
             const Real alpha = rz / dot(p_, q_);
             if (!(alpha > 0)) break;
@@ -66,7 +60,7 @@ public:
         }
         const Real recursive = r_.norm(), size = b.norm();
         report.residual = residual_of(b, x, apply, q_);
-        const bool drifted = !(report.residual <= std::max(limits.tolerance, drift * recursive / size));
+        const bool drifted = !(report.residual <= std::max(tolerance, drift * recursive / size));
         report.unconverged = rz >= 0 && rz <= enough && !drifted ? 0 : 1;
         return report;
     }
@@ -85,13 +79,13 @@ public:
         : r_(particles, 3), r0_(particles, 3), p_(particles, 3), v_(particles, 3), t_(particles, 3), y_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    SolveReport solve(const Points& b, Points& x, Limits limits, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Real tolerance, int most, Apply apply, Precondition precondition) {
         x.setZero();
         r_ = r0_ = p_ = b;
-        const Real enough = limits.tolerance * b.norm();
+        const Real enough = tolerance * b.norm();
         Real rho = dot(r0_, r_), residual = b.norm();
-        SolveReport report{.tolerance = limits.tolerance};
-        while (residual > enough && report.iterations < limits.iterations) {
+        SolveReport report{.tolerance = tolerance};
+        while (residual > enough && report.iterations < most) {
             ++report.iterations;
             precondition(p_, y_);
             apply(y_, v_);
@@ -112,7 +106,7 @@ public:
             p_ = r_ + beta * (p_ - omega * v_);
         }
         report.residual = residual_of(b, x, apply, v_);
-        report.unconverged = report.residual <= drift * limits.tolerance ? 0 : 1;
+        report.unconverged = report.residual <= drift * tolerance ? 0 : 1;
         return report;
     }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "drape/integrate/stability.h"
 #include "drape/model/jacobian.h"
 
 namespace drape {
@@ -135,15 +136,6 @@ private:
     Points y_, r_, p_, ay_, ar_, ap_;
 };
 
-/// The shortest of the steps up to which the vibrations of a cloth stay bounded.
-struct LeastLimit {
-    double stiffness = 0;  ///< k of the vibration that it is the limit of [1/s^2]
-    double damping = 0;    ///< its d [1/s]
-    double step = 0;       ///< [s]
-    bool attained = true;  ///< a vibration with these k and d was found; else none has a shorter limit, that is all
-    Points shape = {};     ///< of the vibration with the shortest limit that was found, as `Mode::shape`; may be empty
-};
-
 /// Finds the least value of a function of k and d over all vibrations of a cloth.
 ///
 /// The pairs (k, d) of all vibrations, complex ones included, fill a convex set: the numerical range of K and D. Each
@@ -175,7 +167,8 @@ public:
     }
 
     /// @param decides whether the limit of a vibration is that of the cloth
-    LeastLimit find(const std::function<bool(const Mode&)>& decides) {
+    /// @return flagged `at_least` unless a vibration was found that has it; the shape of the shortest that was found
+    LimitingMode find(const std::function<bool(const Mode&)>& decides) {
         constexpr int most_cuts = 12;
         constexpr double precision = 5e-4;
         Least outside;
@@ -187,18 +180,21 @@ public:
         }
 
         // A vibration that itself has as short a limit decides
-        LeastLimit best{.step = std::numeric_limits<double>::infinity()};
+        LimitingMode best;
+        double shortest = std::numeric_limits<double>::infinity();
         bool attained = false;
         for (const Mode& mode : found_) {
             const auto k = static_cast<double>(mode.stiffness), d = static_cast<double>(mode.damping);
             const double step = longest_(k, d);
-            if (!(step < best.step)) continue;
-            best = {k, d, step, true, mode.shape};
+            if (!(step < shortest)) continue;
+            shortest = step;
+            best = {limit_at(k, d, step), mode.shape};
             attained = decides(mode);
         }
-        if (attained && outside.value >= (1 - 2 * precision) * best.step) return best;
-        return {outside.at.k * stiffness_unit_, outside.at.d * damping_unit_, outside.value, false,
-                std::move(best.shape)};
+        if (attained && outside.value >= (1 - 2 * precision) * shortest) return best;
+        best.limit = limit_at(outside.at.k * stiffness_unit_, outside.at.d * damping_unit_, outside.value);
+        best.limit.at_least = true;
+        return best;
     }
 
 private:
@@ -228,6 +224,11 @@ private:
             if (other < value) *this = {other, p, number};
         }
     };
+
+    static StepLimit limit_at(double k, double d, double step) {
+        const double omega = std::sqrt(k), zeta = omega > 0 ? d / (2 * omega) : 0;
+        return {static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(step)};
+    }
 
     static Pair between(const Pair& p, const Pair& q, double s) {
         return {p.k + s * (q.k - p.k), p.d + s * (q.d - p.d)};

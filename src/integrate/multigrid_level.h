@@ -13,7 +13,6 @@
 #include "drape/base/workers.h"
 #include "drape/model/stencils.h"
 #include "kernels/stencil_kernels.h"
-#include "stencil_step.h"
 #include "symmetric_blocks.h"
 
 namespace drape {
@@ -81,7 +80,7 @@ struct MultigridLevel {
     MultigridLevel(const Grid& finer_grid, const Grid& own_grid, Kernels kernels, LazyWorkers& threads)
         : finer(finer_grid),
           grid(own_grid),
-          matrix(own_grid, offsets_of(is_finest())),
+          matrix(own_grid, offsets_of(grid == finer)),
           inverse(matrix.runs, entries * grid.ny),
           x(matrix.runs, 3 * grid.ny),
           b(x),
@@ -91,7 +90,6 @@ struct MultigridLevel {
           plain(kernels == Kernels::Plain),
           workers(threads) {}
 
-    [[nodiscard]] bool is_finest() const { return grid == finer; }
     [[nodiscard]] bool halves_columns() const { return grid.nx != finer.nx; }
     [[nodiscard]] bool halves_rows() const { return grid.ny != finer.ny; }
 
@@ -246,7 +244,7 @@ struct MultigridLevel {
     /// of two of them is left for the end.
     void sweep(std::span<const kernels::StencilStep> steps) {
         const auto take = [&](std::size_t number, int row) {
-            plain ? take_step_plainly(steps[number], row, grid.nx) : kernels::take_step(steps[number], row);
+            (plain ? kernels::take_step_plainly : kernels::take_step)(steps[number], row);
         };
         const int last = static_cast<int>(steps.size()) - 1;
         int made = 1;
@@ -278,8 +276,6 @@ struct MultigridLevel {
                 .b = inverse.data(),
                 .u = u != nullptr ? u->data() : nullptr,
                 .from = from.data(),
-                .add = nullptr,
-                .r = nullptr,
                 .out = out.data(),
                 .of_u = static_cast<float>(of_u),
                 .of_r = static_cast<float>(of_r)};

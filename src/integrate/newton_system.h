@@ -44,7 +44,7 @@ public:
         if (refines()) {
             for (Points* scratch : {&left_, &step_, &tried_, &v_}) scratch->resize(grid.particles(), 3);
         }
-        if (keeps_multigrid(grid, parameters.hessian)) {
+        if (parameters.hessian == Hessian::Clamped && grid.particles() >= many_particles) {
             multigrid_ = std::make_unique<Multigrid>(grid, parameters.kernels, parameters.threads);
         }
     }
@@ -53,11 +53,6 @@ public:
     static bool keeps_factors(const Grid& grid, Hessian hessian) {
         const bool falls_back = hessian == Hessian::Exact && grid.particles() <= GridFactor::largest;
         return grid.particles() <= few_particles || falls_back;
-    }
-
-    /// Likewise multigrid.
-    static bool keeps_multigrid(const Grid& grid, Hessian hessian) {
-        return hessian == Hessian::Clamped && grid.particles() >= many_particles;
     }
 
     /// The force where a step leads with the velocities as they are, f(x + dx, v), and its Jacobians: a Newton step
@@ -100,9 +95,8 @@ public:
         };
         int iterations = 0;  // of all attempts
         const auto solve_with = [&](int most, auto precondition) {
-            const krylov::Limits limits{tolerance_, most};
-            SolveReport report = bicgstab_ ? bicgstab_->solve(r, dv, limits, apply, precondition)
-                                           : conjugate_gradients_.solve(r, dv, limits, apply, precondition);
+            SolveReport report = bicgstab_ ? bicgstab_->solve(r, dv, tolerance_, most, apply, precondition)
+                                           : conjugate_gradients_.solve(r, dv, tolerance_, most, apply, precondition);
             report.iterations = iterations += report.iterations;
             return report;
         };

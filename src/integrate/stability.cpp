@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "drape/model/forces.h"
 #include "mode_search.h"
@@ -105,10 +104,7 @@ LimitingMode mode_of(const ClothModel& model, const ClothState& state, Integrato
     ModeSearch search(model, state, kernels);
     LimitSearch limits(search, static_cast<double>(model.drag / model.particle_mass),
                        [kind](double k, double d) { return longest(kind, k, d); });
-    LeastLimit limit = limits.find([kind](const Mode& mode) { return decides(kind, mode); });
-    const double omega = std::sqrt(limit.stiffness), zeta = omega > 0 ? limit.damping / (2 * omega) : 0;
-    return {{static_cast<Real>(omega), static_cast<Real>(zeta), static_cast<Real>(limit.step), !limit.attained},
-            std::move(limit.shape)};
+    return limits.find([kind](const Mode& mode) { return decides(kind, mode); });
 }
 
 }  // namespace

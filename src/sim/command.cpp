@@ -1,6 +1,7 @@
 #include "drape/sim/command.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <type_traits>
@@ -17,6 +18,8 @@ namespace {
 template <class C>
 struct LineMember {
     std::string C::*text;
+
+    const std::string& operator()(const C& command) const { return command.*text; }
 };
 template <class C>
 LineMember(std::string C::*) -> LineMember<C>;
@@ -152,15 +155,6 @@ std::string text_of(const Vec3& v) {
            text_of(static_cast<double>(v[2]));
 }
 
-template <class C, class Value>
-const Value& value_of(const C& command, Value C::*member) {
-    return command.*member;
-}
-template <class C>
-const std::string& value_of(const C& command, LineMember<C> member) {
-    return command.*member.text;
-}
-
 }  // namespace
 
 std::string command_text(const Command& command) {
@@ -169,7 +163,7 @@ std::string command_text(const Command& command) {
         const auto* found = std::get_if<C>(&command);
         if (found == nullptr) return false;
         text = row.name();
-        std::apply([&](auto... members) { ((text += " " + text_of(value_of(*found, members))), ...); }, row.members);
+        std::apply([&](auto... members) { ((text += " " + text_of(std::invoke(members, *found))), ...); }, row.members);
         return true;
     });
     return text;

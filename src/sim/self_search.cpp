@@ -86,8 +86,6 @@ void SelfSearch::use(BroadPhaseParameters parameters, std::span<const ClothInCon
         const ClothModel& model = cloth.model;
         surfaces_.push_back({.tree = make_broad_phase(parameters, model.grid),
                              .folds = FoldTest(model.grid, model.hx, model.hy, parameters.leaf_cells),
-                             .boxes = {},
-                             .kept = {},
                              .spacing = std::min(model.hx, model.hy)});
         first_.push_back(first_.back() + static_cast<std::size_t>(model.grid.particles()));
     }

@@ -70,7 +70,15 @@ void Simulation::carry_out(const Command& command) {
                        steer_ = length > 0 ? Vec3(steer.direction / length) : Vec3(Vec3::Zero());
                        if (length > 0 && !balls_.empty()) move_ball_by(BallMotion::Keys);
                    },
-                   [&](const command::Throw& thrown) { throw_ball(thrown); },
+                   [&](const command::Throw& thrown) {
+                       move_ball_by(BallMotion::Free);
+                       // The hand would draw it back
+                       if (hand_.ball() == static_cast<int>(users_ball_)) hand_.release(cloths_);
+                       put_ball(users_ball_, thrown.from);
+                       balls_[users_ball_].velocity = thrown.velocity;
+                       balls_[users_ball_].spin.setZero();
+                       wake();
+                   },
                    [&](const command::Fall&) { move_ball_by(BallMotion::Free); },
                    [&](const command::Grab& grab) { hand_.grab(grab, cloths_), wake(); },
                    [&](const command::Hold& hold) { hand_.hold(hold, balls_, cloths_), wake(); },
@@ -275,15 +283,6 @@ void Simulation::move_ball_by(BallMotion motion) {
     if (!motion_by_scene_) motion_by_scene_ = ball.motion;
     ball.motion = motion;
     balls_[users_ball_].inverse_mass = inverse_mass_of(ball);
-    wake();
-}
-
-void Simulation::throw_ball(const command::Throw& command) {
-    move_ball_by(BallMotion::Free);
-    if (hand_.ball() == static_cast<int>(users_ball_)) hand_.release(cloths_);  // which would draw it back
-    put_ball(users_ball_, command.from);
-    balls_[users_ball_].velocity = command.velocity;
-    balls_[users_ball_].spin.setZero();
     wake();
 }
 

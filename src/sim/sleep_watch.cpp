@@ -44,9 +44,7 @@ bool SleepWatch::look(std::span<const Cloth> cloths, std::span<const Ball> balls
     watches_.resize(cloths.size());
     bool all_rest = balls_rest(balls, time, speed);
     for (std::size_t c = 0; c < cloths.size(); ++c) {
-        const Cloth& cloth = cloths[c];
-        const bool rests = watches_[c].look(cloth.state.x, time, resting_distance(cloth.model, speed));
-        all_rest = all_rest && rests;
+        all_rest = watches_[c].look(cloths[c].state.x, time, resting_distance(cloths[c].model, speed)) && all_rest;
     }
     return all_rest;
 }

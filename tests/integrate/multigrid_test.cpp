@@ -63,7 +63,7 @@ SolveReport solve(const System& system, const Points& b, Points& x, Real toleran
     multigrid.build(system.model, system.jacobian, system.s * system.s, system.s);
     krylov::ConjugateGradients gradients(system.model.grid.particles());
     return gradients.solve(
-        b, x, {tolerance, 200}, [&](const Points& u, Points& y) { system.product(u, y); },
+        b, x, tolerance, 200, [&](const Points& u, Points& y) { system.product(u, y); },
         [&](const Points& r, Points& z) { multigrid.cycle(r, z); });
 }
 
@@ -165,8 +165,7 @@ TEST(ConjugateGradients, HaveConvergedWhereTheyEndBelowRounding) {
     const auto apply = [](const Points& u, Points& y) {
         for (Eigen::Index p = 0; p < u.rows(); ++p) y.row(p) = static_cast<Real>(1 + p % 3) / 3 * u.row(p);
     };
-    const SolveReport report =
-        gradients.solve(b, x, {Real(1e-4), 200}, apply, [](const Points& r, Points& z) { z = r; });
+    const SolveReport report = gradients.solve(b, x, Real(1e-4), 200, apply, [](const Points& r, Points& z) { z = r; });
     EXPECT_EQ(report.unconverged, 0);
     EXPECT_LE(report.iterations, 4);
 }

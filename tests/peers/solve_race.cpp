@@ -101,7 +101,7 @@ struct OurSolve {
             if (with_multigrid) return multigrid.cycle(r, z);
             for (int p = 0; p < r.rows(); ++p) z.row(p) = r.row(p) * inverses[static_cast<std::size_t>(p)];
         };
-        return gradients.solve(step.b, dv, {limit, 10'000}, apply, precondition).iterations;
+        return gradients.solve(step.b, dv, limit, 10'000, apply, precondition).iterations;
     }
 };
 

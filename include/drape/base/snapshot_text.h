@@ -30,12 +30,9 @@ Within<T> within(T& value, double low, double high) {
 }
 
 /// A number that may be infinite, or none.
-template <class T>
 struct Unbounded {
-    T& value;
+    double& value;
 };
-template <class T>
-Unbounded(T&) -> Unbounded<T>;
 
 /// The text of a snapshot, a line for each thing: its name, then its values. It is written or read by the same calls in
 /// the same order, so that a class lists what it goes on from once, in a function `exchange`. Numbers read back as the
@@ -93,10 +90,9 @@ private:
     void check_range(double number, double low, double high) const;
     void write(double value);
 
-    template <class T>
-    void exchange(Unbounded<T> unbounded) {
-        if (!reads()) return write(static_cast<double>(unbounded.value));
-        unbounded.value = static_cast<T>(number());
+    void exchange(Unbounded unbounded) {
+        if (!reads()) return write(unbounded.value);
+        unbounded.value = number();
     }
     template <class T>
     void exchange(Within<T> bounded) {

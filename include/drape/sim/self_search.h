@@ -98,9 +98,9 @@ private:
     struct Surface {
         Copied<BroadPhase> tree;
         FoldTest folds;
-        CellBoxes boxes;
+        CellBoxes boxes = {};
         bool boxed = false;  ///< since the last list or count was begun
-        Points kept;         ///< what the list was made from
+        Points kept = {};    ///< what the list was made from
         Real spacing;        ///< of its particles at rest [m]
     };
 

@@ -147,7 +147,6 @@ private:
     void put_ball(std::size_t number, const Vec3& centre);
     void choose_ball();
     void move_ball_by(BallMotion motion);
-    void throw_ball(const command::Throw& command);
 
     std::string scene_;
     Settings settings_;

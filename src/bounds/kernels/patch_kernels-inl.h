@@ -64,9 +64,13 @@ HWY_INLINE void raise_together(D d, const Patch& patch, const Vec3* centres, Rea
     hn::Vec<D> far[count];
     for (int k = 0; k < count; ++k) far[k] = hn::Zero(d);
     for_each_vector(d, patch, [&](int i, int j) HWY_ATTR {
-        for (int k = 0; k < count; ++k) far[k] = hn::Max(far[k], square_to(d, patch, j * patch.stride + i, centres[k]));
+        const auto particles = particles_from(d, patch, j * patch.stride + i);
+        for (int k = 0; k < count; ++k) {
+            const auto offset = minus(particles, in_each_lane(d, centres[k]));
+            far[k] = hn::Max(far[k], dot(offset, offset));
+        }
     });
-    for (int k = 0; k < count; ++k) squares[k] = HWY_MAX(squares[k], largest_lane(d, far[k]));
+    for (int k = 0; k < count; ++k) squares[k] = HWY_MAX(squares[k], hn::GetLane(hn::MaxOfLanes(d, far[k])));
 }
 
 void raise_to_farthest_of(const Patch& patch, const Vec3* centres, int count, Real* squares) {
@@ -96,7 +100,7 @@ HWY_INLINE void extents(const Patch& patch, Real* low, Real* high, std::index_se
             const auto of = figures_at(d, j * patch.stride + i);
             ((least[k] = hn::Min(least[k], of.figure[k]), most[k] = hn::Max(most[k], of.figure[k])), ...);
         });
-        ((low[k] = smallest_lane(d, least[k]), high[k] = largest_lane(d, most[k])), ...);
+        ((low[k] = hn::GetLane(hn::MinOfLanes(d, least[k])), high[k] = hn::GetLane(hn::MaxOfLanes(d, most[k]))), ...);
     });
 }
 

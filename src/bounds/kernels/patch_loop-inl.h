@@ -59,22 +59,5 @@ HWY_INLINE Lanes3<hn::Vec<D>> in_each_lane(D d, const Coordinates& v) {
             hn::Set(d, static_cast<Real>(v[2]))};
 }
 
-/// The squared distances of a vector of particles from a point.
-template <class D>
-HWY_INLINE hn::Vec<D> square_to(D d, const Patch& patch, int start, const Vec3& centre) {
-    const auto offset = minus(particles_from(d, patch, start), in_each_lane(d, centre));
-    return dot(offset, offset);
-}
-
-template <class D>
-HWY_INLINE Real smallest_lane(D d, hn::Vec<D> v) {
-    return hn::GetLane(hn::MinOfLanes(d, v));
-}
-
-template <class D>
-HWY_INLINE Real largest_lane(D d, hn::Vec<D> v) {
-    return hn::GetLane(hn::MaxOfLanes(d, v));
-}
-
 }  // namespace drape::kernels::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

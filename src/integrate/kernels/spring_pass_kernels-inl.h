@@ -70,14 +70,9 @@ HWY_INLINE void correct_rows(const StepSprings& step, const Grid& grid, const Po
 }
 
 void correct_springs(const StepSprings& step, const Grid& grid, const Points& start, Points& x) {
-    switch (step.stride()) {
-        case 1:
-            return correct_rows<1>(step, grid, start, x);
-        case 2:
-            return correct_rows<2>(step, grid, start, x);
-        default:
-            return correct_rows<4>(step, grid, start, x);
-    }
+    if (step.stride() == 1) return correct_rows<1>(step, grid, start, x);
+    if (step.stride() == 2) return correct_rows<2>(step, grid, start, x);
+    correct_rows<4>(step, grid, start, x);
 }
 
 }  // namespace drape::kernels::HWY_NAMESPACE
