@@ -37,9 +37,8 @@ Menu::Menu(const std::vector<Entry>& entries, double display_scale, void (*choos
         glutAddMenuEntry(entry.text.c_str(), static_cast<int>(e));
         items_.push_back({with_keys(entry), MenuMark(entry), menu, glutGet(GLUT_MENU_NUM_ITEMS), entry.text});
     }
-    for (const auto& [path, number] : menus) {
-        if (display_scale >= 1.25) glutSetMenuFont(number, GLUT_BITMAP_TIMES_ROMAN_24);
-    }
+    void* const font = display_scale < 1.25 ? GLUT_BITMAP_HELVETICA_18 : GLUT_BITMAP_TIMES_ROMAN_24;
+    for (const auto& [path, number] : menus) glutSetMenuFont(number, font);
     first_window_ = glutGetWindow() + 1;
     last_window_ = glutGetWindow() + static_cast<int>(menus.size());
     glutSetMenu(menus[""]);

@@ -19,7 +19,7 @@ public:
     /// What takes a change back, or makes it again; empty: none is left.
     struct Move {
         Assignments assignments;
-        std::int64_t step;  ///< before which the change was made first
+        std::int64_t step;  ///< before which the change was made last
     };
 
     /// A setting was changed.
@@ -41,9 +41,11 @@ public:
     [[nodiscard]] bool any() const { return done_ > 0; }
 
     /// That of the last change that is not taken back, or of the last again that is.
-    Move next(bool again, const Settings& now) {
+    /// @param step of the session before which that is done
+    Move next(bool again, const Settings& now, std::int64_t step) {
         while (again ? done_ < changes_.size() : done_ > 0) {
-            const Change& change = changes_[again ? done_++ : --done_];
+            Change& change = changes_[again ? done_++ : --done_];
+            if (again) change.step = step;
             const Assignments& wanted = again ? change.after : change.before;
             if (assignments_of(now, change.name) != wanted) return {wanted, change.step};
         }

@@ -179,7 +179,7 @@ void Window::draw(const FrameView& view) {
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
     for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
     if (view.report->status == Status::Diverged && undo_.any()) {
-        texts.push_back("Ctrl+Z goes back to before the last change of a setting, and on without it");
+        texts.emplace_back("Ctrl+Z takes the last change of a setting back");
     }
     if (view.mode != nullptr) texts.push_back(text_of(*view.mode, !(view.report->step_limit_ratio > 1)));
     if (!scene_error_.empty()) texts.push_back(scene_error_);
@@ -241,8 +241,7 @@ void Window::tell_of_failure() {
     if (!failure_note_.empty()) tell(failure_note_);
 }
 
-// Not where the panel says that the picture is coarse: a slow display has no time for every step. Nobody misses one of
-// what sleeps
+// Not where the panel says that the picture is coarse, as where there is no time for every step, nor of what sleeps
 void Window::tell_of_drops() {
     const double dropped = session_.dropped();
     dropped_ = std::min(dropped_, dropped);
@@ -320,7 +319,8 @@ void Window::start_scene() {
 
 void Window::take_panel_changes() {
     const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
-    if (wishes.back) go_to(session_.step_before_newest(*wishes.back));
+    const std::int64_t now = session_.timeline().now;
+    if (const auto step = wishes.back ? session_.step_before_newest(*wishes.back) : now; step != now) go_to(step);
     for (const std::string& assignment : wishes.changes) change(command::Set{assignment}, panel_presses_);
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));

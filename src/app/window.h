@@ -55,6 +55,7 @@ private:
     void on_display();
     void on_reshape(int width, int height);
     void on_visibility(int state);
+    void on_entry(int state);
     void on_character(unsigned char code, int x, int y);
     void on_character_up(unsigned char code, int x, int y);
     void on_special(int code, int x, int y);

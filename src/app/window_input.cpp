@@ -38,6 +38,7 @@ void Window::register_callbacks() {
     if (!make_repeats_detectable()) glutIgnoreKeyRepeat(1);
     glutDisplayFuncUcall(Callback<&Window::on_display>::call, this);
     glutReshapeFuncUcall(Callback<&Window::on_reshape>::call, this);
+    glutEntryFuncUcall(Callback<&Window::on_entry>::call, this);
     glutVisibilityFuncUcall(Callback<&Window::on_visibility>::call, this);
     glutCloseFuncUcall(Callback<&Window::on_close>::call, this);
     glutMouseFuncUcall(Callback<&Window::on_button>::call, this);
@@ -113,8 +114,6 @@ void Window::give(const Entry& entry) {
         if (!carry_out(parse_command(entry.command))) return;
         for (const std::string& change : split_assignments(entry.change)) carry_out(command::Set{change});
         carry_out(command::Compare{entry.versus});
-        notices_.add("outcome", "The scene is " + session_.simulation().settings().title + ", compared with " +
-                                    entry.versus + "; Esc ends that");
         return;
     }
     if (entry.manner == Manner::Search) {
@@ -143,9 +142,10 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Undo || entry.manner == Manner::Redo) return undo(entry.manner == Manner::Redo);
     for (const Command& command : commands_of(entry)) {
         if (!change(command)) continue;
-        // It shows nothing without a comparison
+        // J passes over what shows nothing without a comparison
         const ViewSettings& view = session_.simulation().settings().view;
-        if (view.colour == ColourBy::Difference && !session_.compares()) change(command);
+        const bool is_shown = view.colour != ColourBy::Difference || session_.compares();
+        if (!is_shown && entry.command == "next view.colour") change(command);
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }
@@ -274,6 +274,10 @@ void Window::on_wheel(int, int notches, int x, int y) {
     if (!at_panel({.x = x, .y = y, .down = panel_button_, .notches = notches})) carry_out(Pointer::wheel(notches));
 }
 
+void Window::on_entry(int state) {
+    if (state == GLUT_LEFT) on_passive_motion(-1, -1);
+}
+
 void Window::on_visibility(int state) {
     visible_ = state == GLUT_VISIBLE;
     dirty_ = true;
@@ -355,7 +359,7 @@ bool Window::change(const Command& command, int press) {
 // A run that has diverged since goes on from where the change was made, or begins again where that is forgotten
 void Window::undo(bool again) {
     const Simulation& simulation = session_.simulation();
-    const SettingUndo::Move move = undo_.next(again, simulation.settings());
+    const SettingUndo::Move move = undo_.next(again, simulation.settings(), session_.timeline().now);
     const bool goes_back = simulation.report().status == Status::Diverged && !again && !move.assignments.empty();
     const bool is_kept = move.step >= session_.timeline().oldest, was_paused = simulation.paused();
     if (goes_back && is_kept) go_to(move.step);

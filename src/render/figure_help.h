@@ -12,13 +12,13 @@ namespace drape {
 /// @return empty where its name says all
 inline std::string_view figure_help(std::string_view name) {
     static constexpr auto helps = std::to_array<std::pair<std::string_view, std::string_view>>({
-        {"state", "Asleep: nothing moves any more, and no steps are made until something changes"},
+        {"state", "Asleep: nothing moves any more, and nothing is computed until something changes"},
         {"FPS", "Pictures in a second. Coarse: on a slow display, what moves is drawn at half the size"},
+        {"speed", "Simulated seconds in a second"},
         {"contacts", "Points where cloth touches a ball, a solid or the ground. Pairs: where cloth touches cloth"},
         {"tests saved",
          "The part of all tests, for balls and for cloth near cloth, that the tree of bounding volumes saves, and how "
-         "much "
-         "faster the search is with it, as measured in the last seconds. B shows the volumes"},
+         "much faster the search is with it, as measured in the last seconds. B shows the volumes"},
         {"tests, in all", "Tests of one search with the tree, and by brute force"},
         {"search, in all", "Time of one search with the tree"},
         {"by brute force", "Time of the same search without it"},
@@ -33,7 +33,7 @@ inline std::string_view figure_help(std::string_view name) {
         {"build", "Time to fit the tree of bounding volumes to the cloth"},
         {"traverse", "Time to search the tree for cells near the balls"},
         {"narrow phase", "Time to test the triangles of the cells that were found"},
-        {"response", "Time to push cloth and balls apart"},
+        {"response", "Time to resolve contacts"},
         {"volume", "What the nodes of the tree are. T takes the next"},
         {"update", "How the tree follows the cloth from step to step. U takes the next"},
         {"volume tests", "Nodes that were tested against the balls, of all nodes"},
@@ -46,14 +46,14 @@ inline std::string_view figure_help(std::string_view name) {
         {"cloth on cloth", "Time to find where cloth touches cloth"},
         {"listed pairs", "Vertices and triangles, or two edges, that are near enough to be looked at"},
         {"pairs", "Of these, pairs that touch"},
-        {"fail-safe", "Particles that were held back so that cloth does not pass through cloth"},
+        {"fail-safe", "Particles that were stopped so that cloth does not pass through cloth"},
         {"stretch", "The largest elongation of a structural spring"},
         {"kinetic", "Energy of motion"},
         {"gravity", "Energy of height"},
         {"spring", "Energy of stretched and bent cloth"},
         {"total", "The sum of the three energies above"},
         {"integrator loss", "Energy that the integrator's own errors take away"},
-        {"to fail-safe", "Energy lost as particles were held back"},
+        {"to fail-safe", "Energy lost as the fail-safe stopped particles"},
         {"CPU", "Processor time of the program in a second; above 100 % with several threads"},
         {"vertices", "Corners that were drawn in the last picture"},
     });

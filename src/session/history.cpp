@@ -31,15 +31,19 @@ double moment_bytes(const Simulation& simulation) {
 
 void History::pass(std::int64_t step, std::size_t next_entry, double length, const Simulation& simulation,
                    const std::optional<Comparison>& comparison, bool begins) {
-    watched_ += length;
+    const bool sleeps = simulation.report().asleep && !comparison;
+    if (!sleeps) watched_ += length;
+    since_last_ += length;
     const double added = bytes_of(simulation, comparison);
     const double room = share * limits_.bytes;
     const double gaps = std::floor(room / added) - 1;
     if (gaps < 1) return;  // not even two would fit
     const double apart = std::clamp(limits_.seconds / std::max(gaps - 1, 1.0), nearest, farthest);  // one is the start
-    if (!begins && !moments_.empty() && watched_ < moments_.back().watched + apart) return;
+    if (!begins && !moments_.empty() && since_last_ < apart) return;
     forget_between();
+    since_last_ = 0;
     if (begins && !moments_.empty() && moments_.back().step == step) moments_.pop_back();
+    if (sleeps && !begins && std::ranges::count(moments_, watched_, &Moment::watched) > 1) moments_.pop_back();
     // Of two, the start is forgotten too: else there would be no way back
     moments_.push_back({step, next_entry, watched_, added, false, begins && gaps >= 2, simulation, comparison});
     while (moments_.size() > 2 && bytes() > room) forget_oldest();
@@ -71,6 +75,7 @@ void History::forget_after(std::int64_t step) {
     while (!moments_.empty() && moments_.back().step > step) moments_.pop_back();
     has_gap_ = has_gap_ && moments_.size() > 1;
     if (!moments_.empty()) watched_ = moments_.back().watched;
+    since_last_ = 0;
 }
 
 double History::bytes() const {

@@ -121,7 +121,7 @@ void Session::begin_run(const Command& command) {
 }
 
 void Session::pass_moment(bool begins) {
-    const double length = simulation_.report().asleep ? 0 : dt() / simulation_.settings().view.speed;
+    const double length = dt() / simulation_.settings().view.speed;
     history_->pass(steps_made_, next_entry_, length, simulation_, comparison_, begins);
     const std::size_t first = history_->empty() ? next_entry_ : history_->first().next_entry;
     for (; first_entry_ < first; ++first_entry_) log_.pop_front();
@@ -199,18 +199,26 @@ Timeline Session::timeline() const {
             .oldest = oldest,
             .now = now,
             .newest = newest,
-            .passed = step_times_.at(now) - replay_from_time_,
-            .back = step_times_.at(newest) - step_times_.at(now),
-            .kept = step_times_.at(newest) - step_times_.at(oldest),
+            .passed = time_of(now) - replay_from_time_,
+            .back = time_of(newest) - time_of(now),
+            .kept = time_of(newest) - time_of(oldest),
             .bytes = has_past ? history_->bytes() : 0,
             .replay = last_step_ > newest_,
             .replay_from = replay_from_,
-            .is_computed = !target_};
+            .is_computed = !target_ || *target_ == steps_made_};
+}
+
+/// Steps that are still to be made count as if they were as long as now.
+double Session::time_of(std::int64_t step) const {
+    return step_times_.at(std::min(step, newest_)) +
+           static_cast<double>(std::max(step - newest_, std::int64_t{0})) * dt();
 }
 
 std::int64_t Session::step_before_newest(double seconds) const {
     const std::int64_t newest = timeline().newest;
-    return seconds > 0 ? step_times_.nearest(step_times_.at(newest) - seconds) : newest;
+    const double ahead = time_of(newest) - seconds - time_of(newest_);
+    if (ahead > 0) return newest_ + std::llround(ahead / dt());
+    return seconds > 0 ? step_times_.nearest(time_of(newest_) + ahead) : newest;
 }
 
 void Session::leave_replay() {
@@ -301,7 +309,7 @@ void Session::start_swing() {
 
 void Session::step() {
     const bool is_new = steps_made_ >= newest_, was_over = simulation_.report().status != Status::Ok;
-    if (is_new) step_times_.pass(steps_made_, was_over || simulation_.report().asleep ? 0 : dt());
+    if (is_new) step_times_.pass(steps_made_, was_over || sleeps() ? 0 : dt());
     if (is_new && recorder_) recorder_->begin_step(steps_made_);
     const std::int64_t dangers = simulation_.report().crossing.starts;
     simulation_.step();
@@ -348,14 +356,14 @@ void Session::advance(double elapsed, double budget) {
     behind_ = kept;
     while (!simulation_.paused() && behind_ >= dt()) {
         // Nobody watches once more how it slept
-        const bool slept = steps_made_ < newest_ && simulation_.report().asleep;
+        const bool slept = steps_made_ < newest_ && sleeps();
         if (!slept) behind_ -= dt();
         step();
         if (watch.seconds() < budget || behind_ < dt()) continue;
 
         // The machine cannot keep up: what is left of whole steps is dropped
         const double rest = std::fmod(behind_, dt());
-        dropped_ += behind_ - rest;
+        if (!slept) dropped_ += behind_ - rest;
         behind_ = rest;
     }
 }
@@ -398,7 +406,7 @@ std::string Session::record_notice() const {
 }
 
 void Session::close() {
-    if (!recorder_) return;
+    if (!recorder_ || !recorder_->has_file()) return;
     // The last state is that of the recording, wherever the user has looked
     if (steps_made_ < newest_) {
         go_to(newest_);

@@ -26,8 +26,8 @@ struct User {
         assign_all(settings, assignments);
         return assignments;
     }
-    SettingUndo::Assignments back() { return carry_out(undo.next(false, settings).assignments); }
-    SettingUndo::Assignments forth() { return carry_out(undo.next(true, settings).assignments); }
+    SettingUndo::Assignments back() { return carry_out(undo.next(false, settings, ++step).assignments); }
+    SettingUndo::Assignments forth() { return carry_out(undo.next(true, settings, ++step).assignments); }
 };
 
 TEST(SettingUndo, GoesBackToWhereItBeganAndForthAgain) {
@@ -59,6 +59,16 @@ TEST(SettingUndo, TakesADragForOneChange) {
     EXPECT_THAT(user.back(), ElementsAre("contact.friction=0.7"));
     EXPECT_EQ(user.back(), before);
     EXPECT_THAT(user.forth(), ElementsAre("contact.friction=0.7"));
+}
+
+TEST(SettingUndo, KnowsWhenAChangeWasMadeLast) {
+    User user;
+    user.set("contact.friction=0.7");
+    const std::int64_t first = user.step;
+    EXPECT_EQ(user.undo.next(false, user.settings, 500).step, first);
+    assign(user.settings, "contact.friction=0.1");
+    user.undo.next(true, user.settings, 900);
+    EXPECT_EQ(user.undo.next(false, user.settings, 1000).step, 900);
 }
 
 TEST(SettingUndo, PassesOverWhatIsSoAlready) {

@@ -48,7 +48,7 @@ protected:
             view.comparison = &compared_;
         }
         if (compares_ || in_past_) {
-            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .back = 0.05};
+            view.timeline = {.oldest = 0, .now = 50, .newest = 100, .back = 0.05, .kept = 0.1};
         }
         const Camera camera(settings_.view);
         for (int frame = 0; frame < 2; ++frame) panels_.build(view, camera, report, notices, size.width, size.height);

@@ -82,7 +82,7 @@ public:
 
     explicit History(HistoryLimits limits) : limits_(limits) {}
 
-    /// Keeps this moment, if it is time for it.
+    /// Keeps this moment, if it is time for it: of a sleep its beginning and, again and again, its end.
     /// @param next_entry of the log
     /// @param length of a step, as it was watched [s]
     /// @param begins it is the start of a run, which is kept for as long as that goes on
@@ -131,7 +131,8 @@ private:
     HistoryLimits limits_;
     std::deque<Moment> moments_;  ///< by their steps
     bool has_gap_ = false;        ///< after the first, which begins the run
-    double watched_ = 0;          ///< until the newest step [s]
+    double watched_ = 0;          ///< until the newest step, without sleep [s]
+    double since_last_ = 0;       ///< moment on the way forth, sleep included [s]
 };
 
 }  // namespace drape

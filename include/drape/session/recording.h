@@ -73,11 +73,13 @@ public:
     /// @throws RunError if not everything could be written
     void close(std::int64_t step);
 
+    [[nodiscard]] bool has_file() const { return file_.wanted(); }
+
     /// Where the recording of a killed run has gone that was not closed; empty if there was none.
     [[nodiscard]] std::filesystem::path set_aside() const { return file_.set_aside(); }
 
 private:
-    /// Where a line begins in the file.
+    /// Where a line begins in the text.
     struct Line {
         std::int64_t step;
         std::size_t begin;
@@ -88,7 +90,7 @@ private:
     void add(std::int64_t step, const std::string& what);
 
     OutputFile file_;
-    std::string text_;  ///< of the file
+    std::string text_;  ///< that the file has, too
     std::vector<Line> lines_;
     std::int64_t first_step_ = 0;
     bool paused_ = false;       ///< a replay is, at this point

@@ -163,6 +163,8 @@ private:
     [[nodiscard]] std::size_t end_of_log() const { return first_entry_ + log_.size(); }
     void differ(const std::string& how);
     void say_cut();
+    [[nodiscard]] bool sleeps() const { return simulation_.report().asleep && !comparison_; }
+    [[nodiscard]] double time_of(std::int64_t step) const;
     [[nodiscard]] double dt() const { return simulation_.settings().solver.dt; }
 
     Simulation simulation_;
