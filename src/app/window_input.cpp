@@ -120,7 +120,7 @@ void Window::give(const Entry& entry) {
         steering_.release_all();
         std::erase_if(entries_, [](const Entry& old) { return old.manner == Manner::ReplayFile; });
         for (const std::string& file : recordings_in(".")) {
-            if (one_line(file) == file) entries_.push_back({"Recordings", {}, file, "", Manner::ReplayFile});
+            if (one_line(file) == file) entries_.push_back({"Replay recording", {}, file, "", Manner::ReplayFile});
         }
         return renderer_->panels().open_menu(entries_, session_.simulation().settings());
     }

@@ -12,7 +12,7 @@ namespace drape {
 /// @return empty where its name says all
 inline std::string_view figure_help(std::string_view name) {
     static constexpr auto helps = std::to_array<std::pair<std::string_view, std::string_view>>({
-        {"state", "Asleep: nothing moves any more, and nothing is computed until something changes"},
+        {"state", "What the run does now. Asleep: nothing moves, and nothing is computed until something changes"},
         {"FPS", "Pictures in a second. Coarse: on a slow display, what moves is drawn at half the size"},
         {"speed", "Simulated seconds in a second"},
         {"contacts", "Points where cloth touches a ball, a solid or the ground. Pairs: where cloth touches cloth"},

@@ -298,8 +298,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     }
     if (!showing_help && !notices.empty()) notice_panel(notices, fonts, page, boxes_, true);
     if (hinted) hint_panel(hint, fonts, page, boxes_);
-    if (names_nodes && !settings.window.covers(pointer.x, pointer.y))
-        node_panel(view, camera, hover_x, hover_y, {w, h, margin});
+    const auto covers = [&](const PanelBox& box) { return box.covers(pointer.x, pointer.y); };
+    if (names_nodes && std::ranges::none_of(boxes_, covers)) node_panel(view, camera, hover_x, hover_y, {w, h, margin});
     ImGui::End();
     menu.draw(view, {w, h, margin});
     forget_input();
