@@ -319,8 +319,7 @@ void Window::start_scene() {
 
 void Window::take_panel_changes() {
     const PanelWishes wishes = std::exchange(renderer_->panels().wishes, {});
-    const std::int64_t now = session_.timeline().now;
-    if (const auto step = wishes.back ? session_.step_before_newest(*wishes.back) : now; step != now) go_to(step);
+    if (wishes.back) go_to(session_.step_before_newest(*wishes.back));
     for (const std::string& assignment : wishes.changes) change(command::Set{assignment}, panel_presses_);
     if (wishes.comparison) carry_out(command::Compare{*wishes.comparison});
     if (wishes.entry) on_choice(static_cast<int>(*wishes.entry));

@@ -142,10 +142,6 @@ void Window::give(const Entry& entry) {
     if (entry.manner == Manner::Undo || entry.manner == Manner::Redo) return undo(entry.manner == Manner::Redo);
     for (const Command& command : commands_of(entry)) {
         if (!change(command)) continue;
-        // J passes over what shows nothing without a comparison
-        const ViewSettings& view = session_.simulation().settings().view;
-        const bool is_shown = view.colour != ColourBy::Difference || session_.compares();
-        if (!is_shown && entry.command == "next view.colour") change(command);
         const std::string outcome = outcome_of(command, session_.simulation());
         if (!outcome.empty()) notices_.add("outcome", outcome);
     }

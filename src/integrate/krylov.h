@@ -9,7 +9,7 @@
 /// recursion drifts. Conjugate gradients have converged where their recursion has, in the norm that they stop in, and
 /// the residual is within the tolerance or within `drift` times that of the recursion; biconjugate gradients, where it
 /// is within `drift` times the tolerance. They stop at a residual so much smaller than the right side as the tolerance
-/// says, in their own norm, or after `most` iterations.
+/// says, in their own norm, or after `max_iterations`.
 namespace drape::krylov {
 
 /// What is measured at the end may be this many times as much: the recursion that stops a solver drifts.
@@ -38,7 +38,8 @@ public:
         : r_(particles, 3), p_(particles, 3), q_(particles, 3), z_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    SolveReport solve(const Points& b, Points& x, Real tolerance, int most, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Real tolerance, int max_iterations, Apply apply,
+                      Precondition precondition) {
         x.setZero();
         r_ = b;
         precondition(r_, z_);
@@ -46,7 +47,7 @@ public:
         Real rz = dot(r_, z_);
         const Real enough = tolerance * tolerance * std::max(rz, Real(0));
         SolveReport report{.tolerance = tolerance};
-        while (rz > enough && report.iterations < most) {
+        while (rz > enough && report.iterations < max_iterations) {
             apply(p_, q_);
             const Real alpha = rz / dot(p_, q_);
             if (!(alpha > 0)) break;
@@ -79,13 +80,14 @@ public:
         : r_(particles, 3), r0_(particles, 3), p_(particles, 3), v_(particles, 3), t_(particles, 3), y_(particles, 3) {}
 
     template <class Apply, class Precondition>
-    SolveReport solve(const Points& b, Points& x, Real tolerance, int most, Apply apply, Precondition precondition) {
+    SolveReport solve(const Points& b, Points& x, Real tolerance, int max_iterations, Apply apply,
+                      Precondition precondition) {
         x.setZero();
         r_ = r0_ = p_ = b;
         const Real enough = tolerance * b.norm();
         Real rho = dot(r0_, r_), residual = b.norm();
         SolveReport report{.tolerance = tolerance};
-        while (residual > enough && report.iterations < most) {
+        while (residual > enough && report.iterations < max_iterations) {
             ++report.iterations;
             precondition(p_, y_);
             apply(y_, v_);

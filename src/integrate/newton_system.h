@@ -94,22 +94,22 @@ public:
             clear_pinned(y);
         };
         int iterations = 0;  // of all attempts
-        const auto solve_with = [&](int most, auto precondition) {
-            SolveReport report = bicgstab_ ? bicgstab_->solve(r, dv, tolerance_, most, apply, precondition)
-                                           : conjugate_gradients_.solve(r, dv, tolerance_, most, apply, precondition);
+        const auto solve_with = [&](int limit, auto precondition) {
+            SolveReport report = bicgstab_ ? bicgstab_->solve(r, dv, tolerance_, limit, apply, precondition)
+                                           : conjugate_gradients_.solve(r, dv, tolerance_, limit, apply, precondition);
             report.iterations = iterations += report.iterations;
             return report;
         };
         if (multigrid_ && is_stiff(model, s)) {
             multigrid_->build(model, jacobian_, s * s, s);
             const SolveReport report =
-                solve_with(most_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
+                solve_with(max_cycles, [&](const Points& from, Points& to) { multigrid_->cycle(from, to); });
             if (report.unconverged == 0) return report;
         }
         if (model.grid.particles() > few_particles) {
             invert_diagonal(model, s);
             const SolveReport report = solve_with(
-                factor_ ? patience(model.grid.particles()) : most_iterations,
+                factor_ ? patience(model.grid.particles()) : max_iterations,
                 [&](const Points& from, Points& to) { multiply_blocks(inverse_, from.array(), to.array()); });
             if (!factor_ || report.unconverged == 0) return report;
         }
@@ -161,7 +161,7 @@ private:
     static constexpr int few_particles = 64;
 
     /// Where there are no factors to fall back on, a solve ends after so many iterations with what it has.
-    static constexpr int most_iterations = 5000;
+    static constexpr int max_iterations = 5000;
 
     /// Where there are, it ends after about half of what the factors cost, which grows with n^1.5 as n^0.5 iterations
     /// do.
@@ -174,7 +174,7 @@ private:
     static constexpr Real stiff = 30;
 
     /// Where so many cycles do not do, single precision is not enough, and the diagonal blocks are left to it.
-    static constexpr int most_cycles = 100;
+    static constexpr int max_cycles = 100;
 
     /// Of a Newton step, that is tried before it is given up.
     static constexpr Real shortest_part = Real(0.05);

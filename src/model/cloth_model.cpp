@@ -19,9 +19,11 @@ bool is_pinned(const Pins& pins, const Grid& grid, int particle) {
             return first;
         case Pins::Kind::Border:
             return first || last || left || right;
-        default:
+        case Pins::Kind::None:
+        case Pins::Kind::List:
             return false;
     }
+    return false;
 }
 
 ClothModel make_cloth_model(const ClothParameters& parameters) {

@@ -186,16 +186,6 @@ TEST_F(WindowTest, ARunThatAChangeEndedGoesOnFromThereWhenItIsTakenBack) {
     quit();
 }
 
-TEST_F(WindowTest, JPassesOverDifferencesWithoutAComparisonAndOtherKeysActOnce) {
-    start({"hang", "--set", "view.colour=difference"});
-    for (const char* key : {"p", "v", "p"}) desktop_.key(key);
-    ASSERT_TRUE(recorded("pause", 2));
-    EXPECT_THAT(commands(), ElementsAre("pause", "next wind.on", "pause"));
-    desktop_.key("j");
-    ASSERT_TRUE(recorded("next view.colour", 3));
-    quit();
-}
-
 TEST_F(WindowTest, AHeldKeySteersUntilItIsLetGo) {
     start({"original"});
     desktop_.act({"keydown", "Left"});

@@ -63,7 +63,7 @@ public:
     /// The step so many seconds before the newest, as `Timeline::back` counts them.
     [[nodiscard]] std::int64_t step_before_newest(double seconds) const;
 
-    /// Ends a replay, so that the run is the user's from here on.
+    /// Ends a replay: the run is the user's from here on, and what lay ahead is forgotten.
     void leave_replay();
 
     /// What there is to tell the user of since the last call: that a command has ended what lay ahead, or a comparison;
