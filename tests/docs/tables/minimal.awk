@@ -12,7 +12,7 @@ cell("part") == "notches" && cell("changed") == "none" {
 }
 cell("part") == "notches" && cell("changed") != "none" {
     knob = cell("changed") == "dt" ? "step" : cell("changed")
-    why = cell("miss") == "nan" ? (knob == "step" ? "beyond its limit" : "no longer fails") : sprintf("%.2g times what is allowed", cell("miss"))
+    why = cell("miss") == "nan" ? (knob == "step" ? "above 0.9 of its limit" : "no longer fails") : sprintf("%.2g times what is allowed", cell("miss"))
     broken[cell("scene")] = broken[cell("scene")] (broken[cell("scene")] ? "; " : "") knob ": " why
 }
 END {
