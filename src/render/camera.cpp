@@ -16,6 +16,7 @@ namespace {
 constexpr float field_of_view = 38 * std::numbers::pi_v<float> / 180;  // of the picture's height
 constexpr float steepest = 1.5f;  // pitch [rad]: short of the poles, where the yaw would lose its meaning
 constexpr float least_distance = 0.1f, most_distance = 60;  // to the target [m]
+constexpr float eye_height = 0.04f;                         // above the ground, at least, as a part of the distance
 constexpr float farthest_target = 100;                      // from the origin, on each axis [m]
 
 float number(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
@@ -110,8 +111,6 @@ void Camera::apply(const Command& command, const FrameView& view) {
         target_ = target_.cwiseMax(-farthest_target).cwiseMin(farthest_target);
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
-    } else if (std::holds_alternative<command::Home>(command)) {
-        *this = Camera(view.settings->view);
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Eigen::AlignedBox<Real, 3> box = box_of(view);
         Eigen::Vector3f centre = Eigen::Vector3f::Zero();
@@ -122,7 +121,16 @@ void Camera::apply(const Command& command, const FrameView& view) {
         }
         target_ = centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
         distance_ = std::clamp(radius / std::sin(field_of_view / 2), least_distance, most_distance);
+    } else {
+        if (std::holds_alternative<command::Home>(command)) *this = Camera(view.settings->view);
+        return;
     }
+    const Ground& ground = view.settings->ground;
+    if (!ground.solid) return;
+    const auto height = static_cast<float>(ground.height);
+    target_.y() = std::max(target_.y(), height);
+    const float lowest = eye_height + (height - target_.y()) / distance_;
+    pitch_ = std::min(std::max(pitch_, std::asin(std::clamp(lowest, -1.0f, 1.0f))), steepest);
 }
 
 bool Camera::ease_towards(const Camera& goal, double elapsed) {
