@@ -30,7 +30,7 @@ std::optional<UnstableMode> find_unstable_mode(const Simulation& diverged, const
     const SolverSettings& solver = diverged.settings().solver;
     // Substeps are below the limit, unless the step is too long to be divided
     if (solver.on_unstable == OnUnstable::Substep && !(diverged.report().step_limit_ratio > 1)) return {};
-    UnstableMode found{.step = solver.dt};
+    UnstableMode found{.step = solver.dt, .time = before.report().time};
     auto shortest = static_cast<Real>(solver.dt);
     for (std::size_t c = 0; c < diverged.cloths().size(); ++c) {
         const ClothModel& model = diverged.cloths()[c].model;
@@ -55,7 +55,8 @@ std::string text_of(const UnstableMode& mode, bool with_limit) {
                   : "No step is stable";
     return "Shape of the unstable mode, " +
            real_text(static_cast<double>(mode.limit.omega) / (2 * std::numbers::pi), 3) +
-           " Hz, shown at 1 Hz and not to scale. Red: the " + std::string(mode.kind) +
+           " Hz, on the cloth as it was at t = " + real_text(mode.time, 3) +
+           " s, shown at 1 Hz and not to scale. Red: the " + std::string(mode.kind) +
            " spring with the largest part in it" +
            (with_limit ? ". " + limit_text + ", the time step was " + milliseconds(mode.step) : "");
 }

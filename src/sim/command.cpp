@@ -209,8 +209,12 @@ bool begins_again(const Command& command) {
            (compare != nullptr && compare->begins());
 }
 
+bool pauses(const Command& command) {
+    return std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command);
+}
+
 bool changes_motion(const Command& command) {
-    if (std::holds_alternative<command::Pause>(command) || std::holds_alternative<command::Step>(command)) return false;
+    if (pauses(command)) return false;
     if (const auto* compare = std::get_if<command::Compare>(&command)) return compare->begins();
     return changes_state(command) && !setting_of(command).starts_with("view.");
 }

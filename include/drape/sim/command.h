@@ -111,4 +111,7 @@ bool begins_again(const Command& command);
 /// True for those of these that the motion follows from: not for pauses, single steps and settings of the view.
 bool changes_motion(const Command& command);
 
+/// True for pauses and single steps, which pause as well.
+bool pauses(const Command& command);
+
 }  // namespace drape
