@@ -65,16 +65,15 @@ private:
 /// texture, to be read while the samples are drawn.
 struct PictureLayer {
     /// Leaves its texture bound to unit 2.
-    /// @param samples_wanted for each pixel, as far as OpenGL has them
     /// @throws RunError if OpenGL refuses the size
-    PictureLayer(Gl& gl, const PictureSize& picture, int samples_wanted)
+    PictureLayer(Gl& gl, const PictureSize& picture)
         : size(picture), colour(gl), sample_colour(gl), sample_depth(gl), plain(gl), samples(gl) {
         const auto attach = [&gl](const Renderbuffer& buffer, GLenum attachment) {
             gl(glFramebufferRenderbuffer, GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
         };
         GLint most = 0;
         gl(glGetIntegerv, GL_MAX_SAMPLES, &most);
-        const int count = samples_wanted > 1 ? std::min(samples_wanted, static_cast<int>(most)) : 0;
+        const GLint count = std::min(wanted_samples, most);
         const auto store = [&](const Renderbuffer& buffer, GLenum format) {
             gl(glBindRenderbuffer, GL_RENDERBUFFER, buffer.name());
             gl(glRenderbufferStorageMultisample, GL_RENDERBUFFER, count, format, size.width, size.height);
@@ -103,6 +102,8 @@ struct PictureLayer {
         throw RunError("OpenGL refuses a picture of " + size_text(size) + " pixels");
     }
 
+    static constexpr GLint wanted_samples = 4;  // for each pixel, as far as OpenGL has them
+
     const PictureSize size;
     Texture colour;
     Renderbuffer sample_colour, sample_depth;
@@ -110,11 +111,11 @@ struct PictureLayer {
 };
 
 /// The picture, and what the scene is drawn into: the picture itself, or for fast pictures a layer of half its width
-/// and height with one sample for each pixel, at about a third of the cost with llvmpipe.
+/// and height, at half to two thirds of the cost with llvmpipe.
 class PictureTarget {
 public:
     /// @throws RunError if OpenGL refuses the size
-    PictureTarget(Gl& gl, const PictureSize& size) : gl_(gl), full_(gl, size, wanted_samples), layer_(&full_) {}
+    PictureTarget(Gl& gl, const PictureSize& size) : gl_(gl), full_(gl, size), layer_(&full_) {}
 
     /// How large the scene is drawn, of a picture that is drawn in full or fast.
     [[nodiscard]] PictureSize drawn_size(bool fast) const {
@@ -125,7 +126,7 @@ public:
     /// Starts a picture: what follows is drawn plainly and without depth.
     /// @throws RunError if OpenGL refuses the size
     void begin(bool fast) {
-        if (fast && !half_) half_.emplace(gl_, drawn_size(fast), 1);
+        if (fast && !half_) half_.emplace(gl_, drawn_size(fast));
         const PictureLayer* const wanted = fast ? &*half_ : &full_;
         if (wanted != layer_) {
             layer_ = wanted;
@@ -199,8 +200,6 @@ public:
     }
 
 private:
-    static constexpr int wanted_samples = 4;
-
     Gl& gl_;
     PictureBox box_;
     PictureLayer full_;

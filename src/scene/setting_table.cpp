@@ -289,7 +289,7 @@ void add_the_rest(std::vector<Setting>& table) {
     view.add("grid", &ViewSettings::grid,
              "show a grid on the ground, a line every 10 cm and a stronger one every metre");
     view.add("quality", &ViewSettings::quality,
-             "fast: half the width and height, one sample a pixel, fewer particles of a large cloth; auto: "
+             "fast: half the width and height, fewer particles of a large cloth; auto: "
              "so in a window that is slow, while something moves (FPS: coarse)");
     view.add("eye", &ViewSettings::eye, "m", lengths, "where the camera starts");
     view.add("target", &ViewSettings::target, "m", lengths, "what the camera looks at");

@@ -136,7 +136,7 @@ enum class ColourBy {
 /// How much is spent on a picture.
 enum class PictureQuality {
     Auto,  ///< fast in a window whose display is slow while something moves, else full
-    Fast,  ///< half the width and height, one sample a pixel, fewer particles of a large cloth
+    Fast,  ///< half the width and height, fewer particles of a large cloth
     Full   ///< smooth edges
 };
 
