@@ -111,7 +111,7 @@ std::vector<Entry> make_entries(const std::vector<std::string>& scenes) {
     const auto compare = [&](const char* text, const char* scene, const char* change, const char* versus) {
         entries.push_back({"Compare",
                            {},
-                           std::string(text) + ", in " + scene,
+                           std::string(text) + ": " + title_of(scene),
                            std::string("scene ") + scene,
                            Manner::Compare,
                            {},

@@ -137,9 +137,9 @@ void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const Pa
 
 }  // namespace
 
-bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, float right,
+bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,
                 bool beside) {
-    const float margin = page.margin;
+    const float margin = page.margin, right = page.width - margin;
     const float left = margin + (beside ? figures_columns * fonts.back().size + 3 * margin : 0);
     for (std::size_t font = fonts.size(); font-- > 0;) {
         fonts[font].push();
@@ -156,7 +156,7 @@ bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts
         ImGui::PopFont();
         if (layout) return beside;
     }
-    return help_panel(lines, fonts, page, right, false);
+    return help_panel(lines, fonts, page, false);
 }
 
 void hint_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,

@@ -153,14 +153,15 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
         ImGui::GetWindowDrawList()->AddText({x, corner.y}, colour, text.data(), text.data() + text.size());
     };
     if (row == 0 || items_[found_[row - 1]].group != item.group) write(corner.x, ink::quiet, item.group);
-    ImGui::PushClipRect(corner, {end - mark_columns * size, corner.y + 2 * size}, true);
-    write(corner.x + group_columns * size, ink::text, item.text);
-    ImGui::PopClipRect();
     std::string mark = item.mark.text(*view.settings, view.scene, view.paused);
     // Another scene may have come, without such a section
     if (item.setting != nullptr && section_count(*view.settings, *item.setting) > 0) {
         mark = shown_value(*item.setting, item.setting->read(*view.settings, 0));
     }
+    const float text_end = end - (mark.empty() ? text_width(item.keys) : mark_columns * size);
+    ImGui::PushClipRect(corner, {text_end, corner.y + 2 * size}, true);
+    write(corner.x + group_columns * size, ink::text, item.text);
+    ImGui::PopClipRect();
     write(end - mark_columns * size + size, ink::good, mark);
     write(end - text_width(item.keys), ink::wait, item.keys);
 }

@@ -274,15 +274,16 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     if (shown.plots && !help_is_tight) page.height -= plots_panel(plots_, page);
     timeline_ = timeline_panel(view, page, wishes.back);
     if (shows_timeline()) page.height = timeline_.top;
-    shown.controls ? settings.draw(view, page) : settings.hide();
-    const float right = shown.controls ? settings.window.left - margin : w - margin;
+    const bool shows_settings = shown.controls && !showing_help;
+    shows_settings ? settings.draw(view, page) : settings.hide();
+    const float right = shows_settings ? settings.window.left - margin : w - margin;
 
     // Help is nearly as high as the page: above notices
     if (showing_help && !notices.empty()) page.height = notice_panel(notices, fonts, page, boxes_, false);
 
     // Help goes first where there is no room beside it
     bool beside = showing_panel;
-    if (showing_help) beside = help_panel(help, fonts, page, right, showing_panel);
+    if (showing_help) beside = help_panel(help, fonts, page, showing_panel);
     // Nor is there room for a hint beside both other panels of a narrow page
     const float middle = right - 3 * margin - figures_columns * font;
     if (hinted && shown.controls && middle < hint_columns * font) beside = false;

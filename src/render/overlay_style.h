@@ -117,11 +117,12 @@ inline void wrapped_text(ImVec2 corner, float width, ImU32 colour, std::string_v
     ImGui::PopTextWrapPos();
 }
 
-/// Wrapped texts at a place, or else at the pointer, each in a colour. Nothing if the first is empty.
-inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, std::optional<ImVec2> corner = {}) {
+/// Wrapped texts, each in a colour. Nothing if the first is empty.
+/// @param corner of it: the upper left one, or that at a part of its size, as 1, 1 is the lower right one
+inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, ImVec2 corner, ImVec2 part = {}) {
     if (texts.begin()->second.empty()) return;
     const float size = ImGui::GetFontSize();
-    if (corner) ImGui::SetNextWindowPos(*corner);
+    ImGui::SetNextWindowPos(corner, ImGuiCond_Always, part);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, size / 3);
     ImGui::BeginTooltip();

@@ -88,11 +88,9 @@ private:
 
 /// The keys at the upper right, in the largest font in which all are seen.
 /// @param fonts up to the usual one, from the smallest
-/// @param right edge of the room for it [pixel]
 /// @param beside whether the stats panel is to have room beside it
 /// @return whether it has
-bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, float right,
-                bool beside);
+bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, bool beside);
 
 /// That a hint is wide at least, if its text is [font size].
 inline constexpr float hint_columns = 24;

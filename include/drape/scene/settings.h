@@ -137,7 +137,7 @@ enum class ColourBy {
 enum class PictureQuality {
     Auto,  ///< fast in a window whose display is slow while something moves, else full
     Fast,  ///< half the width and height, fewer particles of a large cloth
-    Full   ///< smooth edges
+    Full   ///< all of both
 };
 
 /// What the cloth looks like.
