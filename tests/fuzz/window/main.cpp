@@ -273,8 +273,8 @@ void Fuzzer::check_end() {
 
 int Fuzzer::session(int most) {
     ++sessions_;
-    // A batch ends with its window, whatever it still holds then: xdotool stops at a window that is gone. The server
-    // ignores a press of what is held, such as the first click in the next window.
+    // xdotool stops at a window that has quit, and leaves held what the rest of its batch would release. The X server
+    // ignores a press of a button that is held: the first right click in the next window would open no menu.
     send(EventSource::all_released());
     std::error_code ignored;
     fs::remove(folder_ / "session.txt", ignored);
