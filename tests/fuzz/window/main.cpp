@@ -59,7 +59,10 @@ public:
     /// The pointer on a menu that is open at a place: over its entries and those of its submenus, and a click.
     std::string menu_walk(int x, int y);
 
-    /// Lets go of every key and button, shows the window at its size, and leaves menus, lists and fields.
+    /// Lets go of every key and button.
+    static std::string all_released();
+
+    /// That, and shows the window at its size, and leaves menus, lists and fields.
     static std::string all_quiet(const std::string& window);
 
     int below(int bound) { return static_cast<int>(random_() % static_cast<unsigned>(bound)); }
@@ -141,12 +144,16 @@ std::string EventSource::menu_walk(int x, int y) {
     return lines + "click 1\n";
 }
 
-std::string EventSource::all_quiet(const std::string& window) {
+std::string EventSource::all_released() {
     std::string lines;
     for (const char* name : keys) lines += std::string("keyup --delay 0 ") + name + "\n";
     for (const char* name : typed) lines += std::string("keyup --delay 0 ") + name + "\n";
     for (int button = 1; button <= 3; ++button) lines += with("mouseup", button);
-    lines += "windowmap " + window + "\nwindowsize " + window + " 640 480\n";
+    return lines;
+}
+
+std::string EventSource::all_quiet(const std::string& window) {
+    std::string lines = all_released() + "windowmap " + window + "\nwindowsize " + window + " 640 480\n";
     // A click beside the window closes a menu, one beside the panel what is open there
     lines += pointer_to("1200 1000") + "click 1\nwindowfocus " + window + "\n" + pointer_to("20 470") + "click 1\n";
     return lines;
@@ -190,14 +197,11 @@ int Fuzzer::send_batch(int most) {
     std::string lines;
     int left = events;
     if (source_.below(3) == 0) {
-        const int x = source_.below(640), y = source_.below(480);
+        // freeglut opens no menu at the window's first column and row
+        const int x = 1 + source_.below(639), y = 1 + source_.below(479);
         desktop_.move_to(x, y);
-        // The first click in a new window has been seen to come to nothing
-        const auto comes = [&] {
-            desktop_.click(3);
-            return test::eventually([&] { return desktop_.visible_windows() > 1; }, patience / 2);
-        };
-        if (!comes() && !comes()) fail("the menu does not come");
+        desktop_.click(3);
+        if (!test::eventually([&] { return desktop_.visible_windows() > 1; })) fail("the menu does not come");
         lines += source_.menu_walk(x, y);
         --left;
     }
@@ -269,6 +273,9 @@ void Fuzzer::check_end() {
 
 int Fuzzer::session(int most) {
     ++sessions_;
+    // xdotool stops at a window that has quit, and leaves held what the rest of its batch would release. The X server
+    // ignores a press of a button that is held: the first right click in the next window would open no menu.
+    send(EventSource::all_released());
     std::error_code ignored;
     fs::remove(folder_ / "session.txt", ignored);
     drape_.emplace(std::vector<std::string>{std::string(DRAPE_PROGRAMS) + "/drape", "hang", "--check", "--record",
