@@ -109,6 +109,13 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 
+TEST_F(PanelBoxes, HelpTakesThePlaceOfTheSettings) {
+    settings_.view.help = true;
+    const std::size_t alone = boxes({1280, 720}, {}).size();
+    settings_.view.controls = true;
+    EXPECT_EQ(boxes({1280, 720}, {}).size(), alone);
+}
+
 TEST_F(PanelBoxes, NameNoNodeWhileTheHandHoldsTheCloth) {
     FrameView view = simulation_.view();
     view.settings = &settings_;

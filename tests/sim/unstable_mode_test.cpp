@@ -34,6 +34,7 @@ TEST_F(UnstableRun, ShowsTheEigenvectorThatLimitsTheStep) {
     const UnstableMode& mode = *view.mode;
     EXPECT_NEAR(static_cast<double>(mode.limit.step), limit, 0.05 * limit);
     EXPECT_NEAR(mode.step, 1.1 * limit, 1e-9);
+    EXPECT_LT(mode.time, view.report->time) << "before it diverged";
     const int a = mode.spring[0], b = mode.spring[1];
     bool is_there = false;
     for_each_spring_at(view.cloths[0].model, a, [&](const SpringStencil& springs, int other) {
@@ -42,6 +43,7 @@ TEST_F(UnstableRun, ShowsTheEigenvectorThatLimitsTheStep) {
     EXPECT_TRUE(is_there);
     EXPECT_THAT(text_of(mode, true),
                 testing::AllOf(testing::HasSubstr("the " + std::string(mode.kind) + " spring"),
+                               testing::HasSubstr("at t = " + real_text(mode.time, 3) + " s"),
                                testing::HasSubstr("step was " + real_text(1e3 * mode.step, 3) + " ms")));
 
     EXPECT_THAT(text_of(mode, false), testing::Not(testing::HasSubstr("limit")));
