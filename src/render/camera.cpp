@@ -125,6 +125,7 @@ void Camera::apply(const Command& command, const FrameView& view) {
         if (std::holds_alternative<command::Home>(command)) *this = Camera(view.settings->view);
         return;
     }
+    // Above the ground, under which there is nothing to see
     const Ground& ground = view.settings->ground;
     if (!ground.solid) return;
     const auto height = static_cast<float>(ground.height);
