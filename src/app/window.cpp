@@ -140,7 +140,6 @@ void Window::on_display() {
     show_drawn();
     FrameView view = seen();
     const Stopwatch watch;
-    view.timeline = session_.timeline();
     view.prefer_speed = draws_fast();
     draw(view);
     if (video_.due()) video_.take(renderer_->read_back());
@@ -171,6 +170,7 @@ void Window::show_drawn() {
 
 FrameView Window::seen() {
     FrameView view = session_.view();
+    view.timeline = session_.timeline();
     if (view.settings->view.panel != PanelSize::Off) view.search = search_timer_.look(view);
     return view;
 }
@@ -189,10 +189,7 @@ void Window::draw(const FrameView& view) {
 
 void Window::take_picture() {
     if (!drawable() || closed_) return;
-    // The bar of time is no part of the picture, but a drag of it would end with a frame without it
-    FrameView view = seen();
-    if (panel_button_) view.timeline = session_.timeline();
-    draw(view);
+    draw(seen());
     Image picture = renderer_->read_back();
     picture.texts = picture_texts(session_.simulation());
     write_new("Picture", ".png", [&](const std::filesystem::path& file) { return write_png(picture, file, true); });
