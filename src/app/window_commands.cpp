@@ -207,7 +207,7 @@ void Window::follow(const Command& command) {
     steering_.forget_given();
     told_failure_.clear();
     sees_ball_ = false;
-    for (const char* topic : {"dropped", "crossing", "ball"}) notices_.remove(topic);
+    for (const char* topic : {"dropped", "crossing", "ball", "repeat"}) notices_.remove(topic);
     scene_clock_ = {};
     unshown_.reset();  // a picture of what was before
     dirty_ = true;
