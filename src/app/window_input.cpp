@@ -35,7 +35,8 @@ void Window::on_character(unsigned char code, int, int) {
     const int modifiers = glutGetModifiers();
     const bool shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0, control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
     const std::string key = character_key(code, shift, control);
-    if (renderer_->panels().have_keyboard()) {
+    // With Control, what is typed is no text
+    if (renderer_->panels().have_keyboard() && !control) {
         held_keys_.insert(without_modifiers(key));
         return type_at_panel(code);
     }

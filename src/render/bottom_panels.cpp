@@ -32,7 +32,7 @@ std::string line_of(const Timeline& timeline, bool paused) {
     if (timeline.is_live()) {
         return format("Now; the comma key steps back, %.2f s are kept (%.0f MB)", timeline.kept, megabytes);
     }
-    return format("%.3f s back of %.2f s (%.0f MB); %s", timeline.back, timeline.kept, megabytes,
+    return format("%.4f s back of %.2f s (%.0f MB); %s", timeline.back, timeline.kept, megabytes,
                   paused ? "Space plays from here" : "played again");
 }
 

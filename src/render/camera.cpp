@@ -34,8 +34,8 @@ Axes axes_of(float yaw, float pitch) {
     return axes;
 }
 
-// Around all cloths, balls and solids
-Eigen::AlignedBox<Real, 3> box_of(const FrameView& view) {
+// Around all cloths, balls and solids; empty if there are none, or not at numbers
+Eigen::AlignedBox3f box_of(const FrameView& view) {
     Eigen::AlignedBox<Real, 3> box;
     for (const ClothView& cloth : view.cloths) {
         box.extend(Vec3(cloth.x.colwise().minCoeff()));
@@ -48,7 +48,7 @@ Eigen::AlignedBox<Real, 3> box_of(const FrameView& view) {
     for (std::size_t i = 0; i < view.solids.size(); ++i) {
         box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
     }
-    return box;
+    return box.sizes().allFinite() ? box.cast<float>() : Eigen::AlignedBox3f();
 }
 
 constexpr Real nothing = std::numeric_limits<Real>::infinity();
@@ -108,17 +108,16 @@ void Camera::apply(const Command& command, const FrameView& view) {
     } else if (const auto* pan = std::get_if<command::Pan>(&command)) {
         const Axes axes = axes_of(yaw_, pitch_);
         target_ += distance_ * (number(pan->right) * axes.right + number(pan->up) * axes.up);
-        target_ = target_.cwiseMax(-farthest_target).cwiseMin(farthest_target);
+        // Within what there is to be seen
+        Eigen::AlignedBox3f box = box_of(view);
+        box.extend(Eigen::Vector3f(view.settings->view.target.cast<float>()));
+        target_ = target_.cwiseMax(box.min()).cwiseMin(box.max());
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
     } else if (std::holds_alternative<command::Frame>(command)) {
-        const Eigen::AlignedBox<Real, 3> box = box_of(view);
-        Eigen::Vector3f centre = Eigen::Vector3f::Zero();
-        float radius = 1;
-        if (!box.isEmpty() && box.sizes().allFinite()) {
-            centre = box.center().cast<float>();
-            radius = std::max(0.01f, 0.5f * static_cast<float>(box.diagonal().norm()));
-        }
+        const Eigen::AlignedBox3f box = box_of(view);
+        const Eigen::Vector3f centre = box.isEmpty() ? Eigen::Vector3f(0, 0, 0) : box.center();
+        const float radius = box.isEmpty() ? 1 : std::max(0.01f, 0.5f * box.diagonal().norm());
         target_ = centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
         distance_ = std::clamp(radius / std::sin(field_of_view / 2), least_distance, most_distance);
     } else {

@@ -33,7 +33,7 @@ constexpr std::array<ComparedFigure, 8> compared_figures{{
 
 // Less than a picometre is rounding
 std::string millimetres(double metres) {
-    return format(metres < 1e-12 ? "0" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
+    return format(metres < 1e-12 ? "0" : metres < 1e-4 ? "%.2g" : metres < 0.1 ? "%.3g" : "%.0f", 1e3 * metres);
 }
 
 std::string figure_text(const ComparedFigure& row, const StepReport& report) {
@@ -112,8 +112,8 @@ float ComparisonPanel::draw(const FrameView& view, const OverlayPage& page, floa
     }
     line.y += row;
     const std::string rms = millimetres(view.comparison->rms), apart = millimetres(view.comparison->largest);
-    text_at(line, ink::quiet, "apart (RMS)");
-    text_at({first, line.y}, ink::wait, rms + " mm, most " + apart + " mm");
+    text_at(line, ink::quiet, "apart, RMS [mm]");
+    text_at({first, line.y}, ink::wait, rms + ", most " + apart);
 
     // The curve, from 0 to the largest that is kept, or to 1 mm
     line.y += row;

@@ -201,7 +201,8 @@ void add_compact_rows(const FrameView& view, const FrameReport& last, std::vecto
     const StepReport& report = *view.report;
     const double ratio = report.step_limit_ratio;
     if (ratio > 0.9) rows.push_back({"dt / limit", limit_text(report), 3, limit_colour(ratio)});
-    const std::string pairs = report.pairs > 0 ? ", " + grouped(static_cast<double>(report.pairs)) + " pairs" : "";
+    const auto count = static_cast<double>(report.pairs);
+    const std::string pairs = report.pairs > 0 ? ", " + grouped(count) + (report.pairs > 1 ? " pairs" : " pair") : "";
     rows.push_back({"contacts", grouped(static_cast<double>(report.contacts)) + pairs, 3});
     add_saved_row(view, rows);
     add_balance_rows(view, rows);

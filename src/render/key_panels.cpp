@@ -139,24 +139,24 @@ void key_panel(std::span<const KeyHelp> lines, const KeyLayout& layout, const Pa
 
 bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,
                 bool beside) {
-    const float margin = page.margin, right = page.width - margin;
-    const float left = margin + (beside ? figures_columns * fonts.back().size + 3 * margin : 0);
-    for (std::size_t font = fonts.size(); font-- > 0;) {
+    const float margin = page.margin, right = page.width - margin, width = right - margin;
+    const float width_beside = width - figures_columns * fonts.back().size - 3 * margin;
+    for (std::size_t font = fonts.size() - 1;; --font) {
         fonts[font].push();
-        std::optional<KeyLayout> layout = lay_out_help(lines, right - left, page.height - 2 * margin, margin);
+        const auto within = [&](float w) { return lay_out_help(lines, w, page.height - 2 * margin, margin); };
+        std::optional<KeyLayout> layout = beside ? within(width_beside) : std::nullopt;
+        const bool fits_beside = layout.has_value();
+        if (!layout) layout = within(width);
         // Nothing is left that would help: cut
-        if (!layout && font == 0 && !beside) {
-            layout = one_column(lines, right - left, ImGui::GetTextLineHeight(), margin);
-        }
+        if (!layout && font == 0) layout = one_column(lines, width, ImGui::GetTextLineHeight(), margin);
         if (layout) {
             const ImVec2 size = layout->size(margin);
             const float bottom = std::min(margin + size.y, page.height - margin);
             key_panel(lines, *layout, {right - size.x, margin, right, bottom}, margin);
         }
         ImGui::PopFont();
-        if (layout) return beside;
+        if (layout) return fits_beside;
     }
-    return help_panel(lines, fonts, page, false);
 }
 
 void hint_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page,

@@ -88,7 +88,7 @@ private:
 
 /// The keys at the upper right, in the largest font in which all are seen.
 /// @param fonts up to the usual one, from the smallest
-/// @param beside whether the stats panel is to have room beside it
+/// @param beside whether the stats panel is to have room beside it, in that font
 /// @return whether it has
 bool help_panel(std::span<const KeyHelp> lines, std::span<const PanelFont> fonts, const OverlayPage& page, bool beside);
 

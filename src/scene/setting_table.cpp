@@ -182,7 +182,8 @@ void add_needs(std::vector<Setting>& table) {
 
 void add_the_rest(std::vector<Setting>& table) {
     SectionRows<SolverSettings> solver("solver", &Settings::solver, table);
-    solver.add("integrator", &SolverSettings::integrator, "how a step is made");
+    solver.add("integrator", &SolverSettings::integrator,
+               "method that makes a step from forces, positions and velocities");
     solver.add("hessian", &SolverSettings::hessian,
                "of the implicit methods: without or with the negative stiffness across a compressed spring");
     solver.add("iterations", &SolverSettings::iterations, "", {1, 1000}, "of xpbd and projective_dynamics in one step");
@@ -213,11 +214,18 @@ void add_the_rest(std::vector<Setting>& table) {
         "of backward_euler, implicit_midpoint and bdf2 in one step, at most; 1: its equations are solved as if linear");
 
     SectionRows<ContactSettings> contact("contact", &Settings::contact, table);
-    contact.add("volume", &ContactSettings::volume,
-                "of the hierarchy; brute tests every cell, and with contact.self every pair of cells");
-    contact.add("update", &ContactSettings::update, "how the hierarchy follows the cloth");
-    contact.add("sphere_fit", &ContactSettings::sphere_fit,
-                "how a sphere is put about particles, where the volume is one");
+    contact.add(
+        "volume", &ContactSettings::volume,
+        "shape around each node of the tree: spheres, boxes (aabb; obb: turned with the cloth) or boxes with cut "
+        "edges (kdop); brute: no tree, every cell is tested, and with contact.self every pair of cells");
+    contact.add("update", &ContactSettings::update,
+                "how the tree follows the cloth: rebuild, from the root down; merge, from the leaves up; refit, where "
+                "the cloth "
+                "moved; insertion, cell by cell; none, the first tree stays");
+    contact.add(
+        "sphere_fit", &ContactSettings::sphere_fit,
+        "how a sphere is put around particles, where the volume is one: from quick and loose (centroid) to slow "
+        "and tight (welzl, the smallest)");
     contact.add("leaf_cells", &ContactSettings::leaf_cells, "", {0, 64},
                 "a leaf has at most this many cells squared; 0, auto: 7 or 15, by size");
     table.back().word = {0, "auto"};

@@ -284,5 +284,11 @@ TEST_F(WindowTest, EscapeClosesWhatIsOpenBeforeItAsksAndQuits) {
     EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
 }
 
+TEST_F(WindowTest, AKeyWithControlIsNoTextForTheSearch) {
+    start({"hang"});
+    for (const char* key : {"slash", "w", "ctrl+q"}) desktop_.key(key);
+    EXPECT_EQ(drape_->wait(60), 0) << drape_->standard_error();
+}
+
 }  // namespace
 }  // namespace drape

@@ -18,11 +18,13 @@ ViewSettings looking(const Vec3& eye, const Vec3& target) {
     return view;
 }
 
-/// In which there is nothing but the ground.
-FrameView empty_view(double ground) {
+/// Ground, and two balls 20 m apart on each axis.
+FrameView wide_view(double ground) {
     static Settings settings;
+    static const std::vector<Ball> balls{{Vec3::Constant(-10), 1, Vec3::Zero()}, {Vec3::Constant(10), 1, Vec3::Zero()}};
     settings.ground.height = static_cast<Real>(ground);
     FrameView view;
+    view.balls = balls;
     view.settings = &settings;
     return view;
 }
@@ -55,25 +57,25 @@ TEST(Camera, SendsItsRayThroughThePixelThatAPointIsSeenIn) {
 
 TEST(Camera, OrbitKeepsTheDistanceAndPanAndZoomMoveByPartsOfIt) {
     Camera turning(looking({0, 1, 3}, {0, 0, 0}));
-    turning.apply(command::Orbit{0.7, 0}, empty_view(-1000));
+    turning.apply(command::Orbit{0.7, 0}, wide_view(-1000));
     EXPECT_NEAR(turning.eye().norm(), std::sqrt(10.0f), 1e-4);
-    turning.apply(command::Orbit{0, 100}, empty_view(-1000));
+    turning.apply(command::Orbit{0, 100}, wide_view(-1000));
     EXPECT_LT(turning.eye().y(), 0.9999f * std::sqrt(10.0f)) << "before the pole";
     EXPECT_GT(turning.eye().y(), 0.99f * std::sqrt(10.0f));
     EXPECT_TRUE(turning.view_matrix().allFinite());
     Camera camera(looking({0, 0, 2}, {0, 0, 0}));
-    camera.apply(command::Pan{0.5, 0.25}, empty_view(-1000));
+    camera.apply(command::Pan{0.5, 0.25}, wide_view(-1000));
     EXPECT_TRUE(camera.eye().isApprox(Eigen::Vector3f(1, 0.5f, 2), 1e-5f));
-    camera.apply(command::Zoom{0.5}, empty_view(-1000));
+    camera.apply(command::Zoom{0.5}, wide_view(-1000));
     EXPECT_NEAR(camera.eye().z(), 1, 1e-5);
-    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{0.1}, empty_view(-1000));
+    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{0.1}, wide_view(-1000));
     EXPECT_GT(camera.eye().z(), 0.05f);
-    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{10}, empty_view(-1000));
+    for (int i = 0; i < 100; ++i) camera.apply(command::Zoom{10}, wide_view(-1000));
     EXPECT_LT(camera.eye().z(), 100);
 }
 
 TEST(Camera, StaysAboveSolidGround) {
-    const FrameView view = empty_view(-0.5);
+    const FrameView view = wide_view(-0.5);
     for (const char* command : {"orbit 0.3 -3", "pan 0 -5", "zoom 20"}) {
         Camera camera(looking({0, 0.2, 3}, {0, 0, 0}));
         camera.apply(parse_command("orbit 0 -0.1"), view);
@@ -83,13 +85,19 @@ TEST(Camera, StaysAboveSolidGround) {
     }
 }
 
+TEST(Camera, KeepsAPointAmongWhatThereIsInTheMiddle) {
+    Camera camera(looking({0, 0.2, 3}, {0, 0, 0}));
+    for (int i = 0; i < 100; ++i) camera.apply(command::Pan{0.5, 0.5}, wide_view(-1));
+    EXPECT_LT(camera.target().cwiseAbs().maxCoeff(), 12);
+}
+
 TEST(Camera, SurvivesNumbersThatAreNone) {
     Camera camera(looking({0, 0, 2}, {0, 0, 0}));
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf}) {
-        camera.apply(command::Orbit{bad, bad}, empty_view(-1000));
-        camera.apply(command::Pan{bad, bad}, empty_view(-1000));
-        camera.apply(command::Zoom{bad}, empty_view(-1000));
+        camera.apply(command::Orbit{bad, bad}, wide_view(-1000));
+        camera.apply(command::Pan{bad, bad}, wide_view(-1000));
+        camera.apply(command::Zoom{bad}, wide_view(-1000));
     }
     EXPECT_TRUE(camera.eye().allFinite());
     EXPECT_TRUE(Camera(looking({1, 1, 1}, {1, 1, 1})).view_matrix().allFinite());
@@ -136,9 +144,9 @@ TEST(Camera, SeesABallUntilAllOfItIsOutOfThePicture) {
 
 Camera turned(double yaw, double pitch, double factor) {
     Camera camera(looking({0, 1, 3}, {0, 0, 0}));
-    camera.apply(command::Orbit{yaw, pitch}, empty_view(-1000));
-    camera.apply(command::Zoom{factor}, empty_view(-1000));
-    camera.apply(command::Pan{0.2, 0.1}, empty_view(-1000));
+    camera.apply(command::Orbit{yaw, pitch}, wide_view(-1000));
+    camera.apply(command::Zoom{factor}, wide_view(-1000));
+    camera.apply(command::Pan{0.2, 0.1}, wide_view(-1000));
     return camera;
 }
 
