@@ -13,9 +13,7 @@ namespace drape {
 namespace {
 
 Real diagonal(const ClothModel& model) {
-    const Real width = model.hx * static_cast<Real>(model.grid.cell_columns());
-    const Real height = model.hy * static_cast<Real>(model.grid.cell_rows());
-    return std::sqrt(width * width + height * height);
+    return std::sqrt(model.width() * model.width() + model.height() * model.height());
 }
 
 /// Displaces every free coordinate by up to a millionth of the cloth's spacing.

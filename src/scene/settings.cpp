@@ -16,9 +16,7 @@ namespace {
 Real pair_thickness_of(const Settings& settings) {
     Real thickness = settings.contact.thickness;
     for (const ClothParameters& cloth : settings.cloths) {
-        const Real hx = cloth.width / static_cast<Real>(cloth.particles.nx - 1);
-        const Real hy = cloth.height / static_cast<Real>(cloth.particles.ny - 1);
-        thickness = std::min(thickness, apart_at_rest(hx, hy) / 2);
+        thickness = std::min(thickness, apart_at_rest(cloth.hx(), cloth.hy()) / 2);
     }
     return thickness;
 }
