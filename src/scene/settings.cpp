@@ -33,13 +33,9 @@ ResponseParameters response_of(const Settings& settings) {
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {
-    const ContactSettings& contact = settings.contact;
-    return {.volume = contact.volume,
-            .update = contact.update,
-            .leaf_cells = contact.leaf_cells,
-            .sphere_fit = contact.sphere_fit,
-            .search = {.level = contact.search_level, .tests = contact.search_tests},
-            .kernels = settings.solver.kernels};
+    BroadPhaseParameters parameters = settings.contact;
+    parameters.kernels = settings.solver.kernels;
+    return parameters;
 }
 
 bool same_motion(const Settings& a, const Settings& b) {
