@@ -47,7 +47,7 @@ Settings stacked_sheets() {
     return settings;
 }
 
-std::int64_t crossings_in(const Simulation& simulation) { return test::SceneCrossings().count(simulation); }
+std::int64_t crossings_in(const Simulation& simulation) { return test::SceneCrossings().count(simulation.cloths()); }
 
 struct Tally {
     std::int64_t crossings = 0, pairs = 0;
