@@ -11,11 +11,6 @@
 namespace drape {
 namespace {
 
-double longest(IntegratorKind kind, double k, double d) {
-    const LongestStep limit = method_of(kind).longest_step;
-    return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit(k, d);
-}
-
 /// The longest step with which implicit midpoint keeps a sheet in the wind from fluttering faster and faster. Its
 /// matrix has how the wind resists velocities, but not how its force turns with the triangles, which makes a pressure p
 /// on cells of size s as stiff as p s; and it damps nothing. So it goes up to z = 2, as methods do that take a
@@ -87,13 +82,14 @@ Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels k
     constexpr int glance = 4;
     const bool alike = damped_alike(model);
     std::array<int, 2> critical{};
-    Real shortest = std::numeric_limits<Real>::infinity();
+    double shortest = std::numeric_limits<double>::infinity();
     for (int row = 0; row < pieces(model.grid.ny); ++row) {
         for (int column = 0; column < pieces(model.grid.nx); ++column) {
             const Piece piece = cut_out(model, state, column, row);
             ModeSearch search(piece.model, piece.state, kernels);
             const Real stiffness = search.maximise(1, 0, glance), damping = alike ? 0 : search.maximise(0, 1, glance);
-            const Real step = longest_step(IntegratorKind::SymplecticEuler, stiffness, damping);
+            const double step = longest_step(IntegratorKind::SymplecticEuler, static_cast<double>(stiffness),
+                                             static_cast<double>(damping));
             if (step < shortest) shortest = step, critical = {column, row};
         }
     }
@@ -103,7 +99,7 @@ Piece critical_piece(const ClothModel& model, const ClothState& state, Kernels k
 LimitingMode mode_of(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {
     ModeSearch search(model, state, kernels);
     LimitSearch limits(search, static_cast<double>(model.drag / model.particle_mass),
-                       [kind](double k, double d) { return longest(kind, k, d); });
+                       [kind](double k, double d) { return longest_step(kind, k, d); });
     return limits.find([kind](const Mode& mode) { return decides(kind, mode); });
 }
 
@@ -111,8 +107,9 @@ LimitingMode mode_of(const ClothModel& model, const ClothState& state, Integrato
 
 bool has_step_limit(IntegratorKind kind) { return method_of(kind).longest_step != nullptr; }
 
-Real longest_step(IntegratorKind kind, Real k, Real d) {
-    return static_cast<Real>(longest(kind, static_cast<double>(k), static_cast<double>(d)));
+double longest_step(IntegratorKind kind, double k, double d) {
+    const LongestStep limit = method_of(kind).longest_step;
+    return limit == nullptr || (k == 0 && d == 0) ? std::numeric_limits<double>::infinity() : limit(k, d);
 }
 
 StepLimit predicted_limit(const ClothModel& model, const ClothState& state, IntegratorKind kind, Kernels kernels) {

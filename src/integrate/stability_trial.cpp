@@ -13,9 +13,7 @@ namespace drape {
 namespace {
 
 Real diagonal(const ClothModel& model) {
-    const Real width = model.hx * static_cast<Real>(model.grid.cell_columns());
-    const Real height = model.hy * static_cast<Real>(model.grid.cell_rows());
-    return std::sqrt(width * width + height * height);
+    return std::sqrt(model.width() * model.width() + model.height() * model.height());
 }
 
 /// Displaces every free coordinate by up to a millionth of the cloth's spacing.
@@ -90,13 +88,16 @@ Real measured_limit(const ClothModel& model, const ClothState& start, const Inte
 
 Real observable_limit_of_explicit_euler(const ClothModel& model, const ClothState& start, Real omega, Real zeta,
                                         Kernels kernels, int steps) {
-    if (zeta > 1) return longest_step(IntegratorKind::ExplicitEuler, omega * omega, 2 * zeta * omega);
+    const Real k = omega * omega, d = 2 * zeta * omega;
+    if (zeta > 1) {
+        const IntegratorKind kind = IntegratorKind::ExplicitEuler;
+        return static_cast<Real>(longest_step(kind, static_cast<double>(k), static_cast<double>(d)));
+    }
     ClothState noisy = start;
     add_noise(model, noisy);
     const double noise = compute_energy(model, noisy, kernels).spring - compute_energy(model, start, kernels).spring;
     const double gain = static_cast<double>(energy_to_fail(model)) / noise;
     const auto growth = static_cast<Real>(exponential(natural_log(gain) / steps) - 1);
-    const Real k = omega * omega, d = 2 * zeta * omega;
     return (d + std::sqrt(d * d + 4 * k * growth)) / (2 * k);
 }
 

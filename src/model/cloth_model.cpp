@@ -33,8 +33,8 @@ ClothModel make_cloth_model(const ClothParameters& parameters) {
     DRAPE_ASSERT(parameters.stretch_limit >= 0);
     ClothModel model;
     model.grid = grid;
-    model.hx = parameters.width / static_cast<Real>(grid.nx - 1);
-    model.hy = parameters.height / static_cast<Real>(grid.ny - 1);
+    model.hx = parameters.hx();
+    model.hy = parameters.hy();
     model.particle_mass = parameters.mass / static_cast<Real>(grid.particles());
     model.structural = parameters.structural;
     model.shear = parameters.shear;
@@ -60,14 +60,12 @@ void ClothModel::hold(int particle, bool held) {
 
 ClothState make_rest_state(const ClothParameters& parameters) {
     const Grid grid = parameters.particles;
-    const Real hx = parameters.width / static_cast<Real>(grid.nx - 1);
-    const Real hy = parameters.height / static_cast<Real>(grid.ny - 1);
     ClothState state;
     state.x.resize(grid.particles(), 3);
     state.v.setZero(grid.particles(), 3);
     for (int j = 0; j < grid.ny; ++j) {
         for (int i = 0; i < grid.nx; ++i) {
-            const Real across = static_cast<Real>(i) * hx, along = static_cast<Real>(j) * hy;
+            const Real across = static_cast<Real>(i) * parameters.hx(), along = static_cast<Real>(j) * parameters.hy();
             const Vec3 offset = parameters.plane == Plane::XZ ? Vec3(across, 0, along) : Vec3(across, -along, 0);
             state.x.row(grid.particle(i, j)) = (parameters.origin() + offset).transpose();
         }

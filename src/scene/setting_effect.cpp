@@ -51,8 +51,7 @@ std::string why_without_effect(const Setting& setting, const Settings& settings,
     ignores(!settings.view.bounds && settings.view.colour != ColourBy::Level, {"view.level"}, "B shows it");
 
     const ResponseKind response = settings.contact.response;
-    ignores(response != ResponseKind::Penalty && response != ResponseKind::Hybrid, {"contact.stiffness"},
-            "no effect with " + name_of(response));
+    ignores(!has_penalties(response), {"contact.stiffness"}, "no effect with " + name_of(response));
     ignores(!settings.ground.solid, {"ground.friction", "ground.restitution", "ground.rolling"},
             "no effect while the ground is not solid");
     ignores(std::ranges::count(settings.balls, BallMotion::Free, &BallSettings::motion) == 0,

@@ -229,11 +229,13 @@ void add_the_rest(std::vector<Setting>& table) {
     contact.add("leaf_cells", &ContactSettings::leaf_cells, "", {0, 64},
                 "a leaf has at most this many cells squared; 0, auto: 7 or 15, by size");
     table.back().word = {0, "auto"};
-    contact.add("search_level", &ContactSettings::search_level, "", {0, SearchLimit::all_levels},
-                "level at which a search ends, its nodes taken as spheres; 30, unlimited: at the leaves");
+    contact.add(
+        "search_level", [](auto& c) -> auto& { return c.search.level; }, "", {0, SearchLimit::all_levels},
+        "level at which a search ends, its nodes taken as spheres; 30, unlimited: at the leaves");
     table.back().word = {SearchLimit::all_levels, "unlimited"};
-    contact.add("search_tests", &ContactSettings::search_tests, "", {0, 1e9},
-                "volume tests after which a search ends; 0, unlimited: no end");
+    contact.add(
+        "search_tests", [](auto& c) -> auto& { return c.search.tests; }, "", {0, 1e9},
+        "volume tests after which a search ends; 0, unlimited: no end");
     table.back().word = {0, "unlimited"};
     table.back().usual_high = 1000;
     contact.add("response", &ContactSettings::response, "how contacts are answered");

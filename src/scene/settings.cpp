@@ -16,9 +16,7 @@ namespace {
 Real pair_thickness_of(const Settings& settings) {
     Real thickness = settings.contact.thickness;
     for (const ClothParameters& cloth : settings.cloths) {
-        const Real hx = cloth.width / static_cast<Real>(cloth.particles.nx - 1);
-        const Real hy = cloth.height / static_cast<Real>(cloth.particles.ny - 1);
-        thickness = std::min(thickness, apart_at_rest(hx, hy) / 2);
+        thickness = std::min(thickness, apart_at_rest(cloth.hx(), cloth.hy()) / 2);
     }
     return thickness;
 }
@@ -35,13 +33,9 @@ ResponseParameters response_of(const Settings& settings) {
 }
 
 BroadPhaseParameters broad_phase_of(const Settings& settings) {
-    const ContactSettings& contact = settings.contact;
-    return {.volume = contact.volume,
-            .update = contact.update,
-            .leaf_cells = contact.leaf_cells,
-            .sphere_fit = contact.sphere_fit,
-            .search = {.level = contact.search_level, .tests = contact.search_tests},
-            .kernels = settings.solver.kernels};
+    BroadPhaseParameters parameters = settings.contact;
+    parameters.kernels = settings.solver.kernels;
+    return parameters;
 }
 
 bool same_motion(const Settings& a, const Settings& b) {

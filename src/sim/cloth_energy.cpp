@@ -46,10 +46,8 @@ MotionSums sum_motion(const ClothState& state) {
 }
 
 void EnergyWatch::restart(const ClothModel& model, const Energy& energy) {
-    const Grid& grid = model.grid;
-    const Real size = model.hx * static_cast<Real>(grid.nx - 1) + model.hy * static_cast<Real>(grid.ny - 1);
-    const Real weight = model.particle_mass * static_cast<Real>(grid.particles()) * gravity_scale(model);
-    lift_ = static_cast<double>(weight * size);
+    const Real weight = model.particle_mass * static_cast<Real>(model.grid.particles()) * gravity_scale(model);
+    lift_ = static_cast<double>(weight * (model.width() + model.height()));
     base_ = energy.total();
     peak_ = energy.kinetic + energy.spring;
     excess_ = waited_ = 0;

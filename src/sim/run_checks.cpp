@@ -217,9 +217,9 @@ std::string Simulation::step_warning() const {
     };
     // What has diverged says by itself how long its step was
     const bool diverged = report_.failure.particle >= 0;
-    const auto [of_method, of_penalty] = diverged ? std::pair<std::string, std::string>() : limit_warnings();
     return joined(
-        {of_method, of_penalty, crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
+        {diverged ? "" : step_limit_warning(), diverged ? "" : penalty_limit_warning(),
+         crossings > 0 ? "cloth crosses cloth in " + places(crossings) + "may stay crossed" : "",
          coincident > 0 ? "cloth touches cloth at distance 0 in " + places(coincident) + "may cross it; place it apart"
                         : "",
          depth_at_start_ > 0 ? "cloth starts " + real_text(static_cast<double>(depth_at_start_), 3) +

@@ -9,9 +9,7 @@ namespace {
 
 /// How far a particle may go in the time of a watch and count as resting: no small cloth swings in so little either.
 Real resting_distance(const ClothModel& model, Real speed) {
-    const Grid& grid = model.grid;
-    const Real side = std::min(model.hx * static_cast<Real>(grid.nx - 1), model.hy * static_cast<Real>(grid.ny - 1));
-    return std::min(speed * static_cast<Real>(RestWatch::duration), side / 1000);
+    return std::min(speed * static_cast<Real>(RestWatch::duration), std::min(model.width(), model.height()) / 1000);
 }
 
 }  // namespace

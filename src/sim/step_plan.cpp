@@ -128,43 +128,6 @@ int substeps_of_motion(std::span<const Cloth> cloths, const SolverSettings& solv
     return static_cast<int>(std::clamp(std::ceil(solver.dt * static_cast<double>(most)), 1.0, max_for_motion));
 }
 
-/// That a substep is longer than the limit of the penalty at a particle of some cloth, where the response has one, in
-/// one line; empty if it is not.
-/// @param planned substeps of a step without contact
-std::string penalty_limit_warning(const Settings& settings, std::span<const Cloth> cloths, int planned) {
-    const double substep = settings.solver.dt / substeps_in_contact(settings, true, planned);
-    for (const Cloth& cloth : cloths) {
-        const std::optional<PenaltyLimit> limit = penalty_limit(settings, cloth.model);
-        if (!limit || !(substep / limit->step > 1)) continue;
-        return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(substep / limit->step, 3) +
-               " times the step limit of the penalty, contact.stiffness = " +
-               real_text(static_cast<double>(settings.contact.stiffness), 4) + " N/m on " +
-               real_text(static_cast<double>(1e3 * limit->mass), 3) + " g";
-    }
-    return {};
-}
-
-/// That a step is longer than the method's limit, in one line; empty if it is not.
-/// @param planned substeps of a step, as in the report's ratio
-std::string step_limit_warning(const SolverSettings& solver, const StepReport& report, int planned) {
-    if (!(report.step_limit_ratio > 1)) return {};
-    const std::string method(name_of(solver.integrator));
-    const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
-    if (!std::isfinite(report.step_limit_ratio)) {
-        const bool sure = !report.limit_is_lower_bound;
-        return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
-               " on this cloth";
-    }
-    const bool substeps_exhausted = solver.on_unstable == OnUnstable::Substep;
-    const double ratio = report.step_limit_ratio * planned;
-    const std::string limit = real_text(solver.dt / ratio, 3);
-    return step + " is " + (report.limit_is_lower_bound ? "up to " : "") + real_text(ratio, 3) +
-           " times the stability limit of " + method + " on this cloth" +
-           (report.limit_is_lower_bound ? ", which is at least " + limit + " s" : "") +
-           (substeps_exhausted ? ", too long to be divided into substeps" : "") +
-           (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
-}
-
 }  // namespace
 
 /// Predicts the longest stable substep and says in the report how near to it a substep is, and in how many of them a
@@ -230,9 +193,37 @@ std::string Simulation::limit_advice() const {
     return "Time step is " + ratio + " x the limit of " + limit;
 }
 
-std::pair<std::string, std::string> Simulation::limit_warnings() const {
-    return {step_limit_warning(settings_.solver, report_, planned_substeps_),
-            penalty_limit_warning(settings_, cloths_, planned_substeps_)};
+std::string Simulation::penalty_limit_warning() const {
+    const double substep = settings_.solver.dt / substeps_in_contact(settings_, true, planned_substeps_);
+    for (const Cloth& cloth : cloths_) {
+        const std::optional<PenaltyLimit> limit = penalty_limit(settings_, cloth.model);
+        if (!limit || !(substep / limit->step > 1)) continue;
+        return "in contact a substep of " + real_text(substep, 4) + " s is " + real_text(substep / limit->step, 3) +
+               " times the step limit of the penalty, contact.stiffness = " +
+               real_text(static_cast<double>(settings_.contact.stiffness), 4) + " N/m on " +
+               real_text(static_cast<double>(1e3 * limit->mass), 3) + " g";
+    }
+    return {};
+}
+
+std::string Simulation::step_limit_warning() const {
+    const SolverSettings& solver = settings_.solver;
+    if (!(report_.step_limit_ratio > 1)) return {};
+    const std::string method(name_of(solver.integrator));
+    const std::string step = "solver.dt = " + real_text(solver.dt, 4) + " s";
+    if (!std::isfinite(report_.step_limit_ratio)) {
+        const bool sure = !report_.limit_is_lower_bound;
+        return step + ": " + method + (sure ? " has no stable step" : " has no step that is sure to be stable") +
+               " on this cloth";
+    }
+    const bool substeps_exhausted = solver.on_unstable == OnUnstable::Substep;
+    const double ratio = report_.step_limit_ratio * planned_substeps_;
+    const std::string limit = real_text(solver.dt / ratio, 3);
+    return step + " is " + (report_.limit_is_lower_bound ? "up to " : "") + real_text(ratio, 3) +
+           " times the stability limit of " + method + " on this cloth" +
+           (report_.limit_is_lower_bound ? ", which is at least " + limit + " s" : "") +
+           (substeps_exhausted ? ", too long to be divided into substeps" : "") +
+           (solver.dt / ratio < shortest_that_may_be_set() ? ", and no step that may be set is short enough" : "");
 }
 
 }  // namespace drape

@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "support/cloths.h"
-#include "support/crossings.h"
+#include "support/scene_crossings.h"
 
 namespace drape {
 namespace {
-
-using test::crossings;
 
 /// Distance that cloth is to keep [m].
 constexpr Real min_gap = Real(1e-6);
@@ -23,17 +21,14 @@ struct TwoCloths {
     std::array<CellBoxes, 2> boxes;
     std::array<std::vector<Real>, 2> reaches;
 
-    [[nodiscard]] BoxedCloth boxed(int number, Real margin = 0) {
+    [[nodiscard]] BoxedCloth boxed(int number, Real margin) {
         const auto c = static_cast<std::size_t>(number);
         reaches[c].assign(static_cast<std::size_t>(models[c].grid.particles()), margin / 2);
         boxes[c].build(models[c].grid, states[c].x, reaches[c]);
         return {{number, models[c].grid, states[c].x}, boxes[c], reaches[c]};
     }
 
-    [[nodiscard]] std::int64_t all_crossings() {
-        const BoxedCloth first = boxed(0), second = boxed(1);
-        return crossings(first, first) + crossings(second, second) + crossings(first, second);
-    }
+    [[nodiscard]] std::int64_t all_crossings() { return test::SceneCrossings().count(in_contact()); }
 
     [[nodiscard]] std::vector<NearPair> pairs_within(Real margin) {
         const BoxedCloth all[] = {boxed(0, margin), boxed(1, margin)};

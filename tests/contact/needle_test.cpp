@@ -17,35 +17,23 @@ namespace {
 
 __extension__ using Quad = __float128;
 
-struct QuadPoint {
-    Quad x, y, z;
-    explicit QuadPoint(const Vec3& p) : x(p[0]), y(p[1]), z(p[2]) {}
-    QuadPoint(Quad a, Quad b, Quad c) : x(a), y(b), z(c) {}
-};
-
-QuadPoint operator-(const QuadPoint& a, const QuadPoint& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-QuadPoint operator+(const QuadPoint& a, const QuadPoint& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-QuadPoint operator*(Quad s, const QuadPoint& a) { return {s * a.x, s * a.y, s * a.z}; }
-Quad dot(const QuadPoint& a, const QuadPoint& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-QuadPoint cross(const QuadPoint& a, const QuadPoint& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using QuadPoint = Eigen::Matrix<Quad, 3, 1>;
 
 Quad square_to_segment(const QuadPoint& p, const QuadPoint& a, const QuadPoint& b) {
     const QuadPoint side = b - a;
-    const Quad length = dot(side, side);
-    Quad t = length > 0 ? dot(p - a, side) / length : 0;
-    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    const Quad length = side.dot(side);
+    const Quad t = length > 0 ? std::clamp<Quad>((p - a).dot(side) / length, 0, 1) : 0;
     const QuadPoint off = a + t * side - p;
-    return dot(off, off);
+    return off.dot(off);
 }
 
 long double true_distance(const Vec3& at, const std::array<Vec3, 3>& corners) {
-    const QuadPoint p(at), a(corners[0]), b(corners[1]), c(corners[2]);
-    const QuadPoint n = cross(b - a, c - a);
-    const Quad area = dot(n, n), beyond = dot(p - a, n);
-    const bool over = area > 0 && dot(n, cross(b - a, p - a)) >= 0 && dot(n, cross(c - b, p - b)) >= 0 &&
-                      dot(n, cross(a - c, p - c)) >= 0;
+    const QuadPoint p = at.cast<Quad>(), a = corners[0].cast<Quad>(), b = corners[1].cast<Quad>(),
+                    c = corners[2].cast<Quad>();
+    const QuadPoint n = (b - a).cross(c - a);
+    const Quad area = n.dot(n), beyond = (p - a).dot(n);
+    const bool over = area > 0 && n.dot((b - a).cross(p - a)) >= 0 && n.dot((c - b).cross(p - b)) >= 0 &&
+                      n.dot((a - c).cross(p - c)) >= 0;
     const Quad square =
         over ? beyond * beyond / area
              : std::min({square_to_segment(p, a, b), square_to_segment(p, b, c), square_to_segment(p, c, a)});

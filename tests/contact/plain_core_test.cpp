@@ -95,13 +95,12 @@ constexpr Grid shapes[] = {{2, 2}, {14, 9}, {2, 30}, {33, 3}};
 
 TEST(PlainCore, FindsWhatTheKernelsFindWithEveryVolumeSphereFitAndUpdate) {
     std::vector<BroadPhaseParameters> cases;
-    for (std::size_t u = 0; u < names_of<UpdateKind>().size(); ++u) {
-        const auto update = static_cast<UpdateKind>(u);
-        for (std::size_t v = 0; v < names_of<VolumeKind>().size(); ++v) {
-            cases.push_back({.volume = static_cast<VolumeKind>(v), .update = update, .leaf_cells = 3});
+    for (const UpdateKind update : values_of<UpdateKind>()) {
+        for (const VolumeKind volume : values_of<VolumeKind>()) {
+            cases.push_back({.volume = volume, .update = update, .leaf_cells = 3});
         }
-        for (std::size_t f = 0; f < names_of<SphereFit>().size(); ++f) {
-            cases.push_back({.update = update, .leaf_cells = 2, .sphere_fit = static_cast<SphereFit>(f)});
+        for (const SphereFit fit : values_of<SphereFit>()) {
+            cases.push_back({.update = update, .leaf_cells = 2, .sphere_fit = fit});
         }
     }
     Tally sum;

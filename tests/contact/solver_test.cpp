@@ -3,20 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <random>
 
 #include "drape/contact/detection.h"
 #include "drape/contact/near_pairs.h"
 #include "drape/contact/response.h"
+#include "searched_cloth.h"
 
 namespace drape {
 namespace {
-
-constexpr std::array kinds{ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
-                           ResponseKind::Hybrid};
-static_assert(kinds.size() == enum_count<ResponseKind>, "every response is here");
 
 /// Two crumpled sheets that are cut by a ball, by the ground, and by each other.
 struct TwoSheets {
@@ -82,17 +78,10 @@ private:
     }
 
     void find_pairs() {
-        std::vector<NearPair> pairs;
-        std::array<CellBoxes, 2> boxes;
-        std::array<std::vector<Real>, 2> reaches;
-        for (std::size_t c = 0; c < 2; ++c) {
-            reaches[c].assign(static_cast<std::size_t>(models[c].grid.particles()), thickness);
-            boxes[c].build(models[c].grid, states[c].x, reaches[c]);
-        }
-        const LeafPair all{all_cells(models[0].grid), all_cells(models[1].grid)};
-        find_near_pairs({{0, models[0].grid, states[0].x}, boxes[0], reaches[0]},
-                        {{1, models[1].grid, states[1].x}, boxes[1], reaches[1]}, {&all, 1}, pairs);
-        for (const NearPair& pair : pairs) {
+        test::SearchedCloth first(0, models[0].grid, {}), second(1, models[1].grid, {});
+        first.build(states[0].x);
+        second.build(states[1].x);
+        for (const NearPair& pair : test::pairs_within(first, second, 2 * thickness)) {
             if (pair.is_representative) rows.push_back(row_of(pair, thickness));
         }
     }
@@ -109,7 +98,7 @@ Ball turning_ball() {
 
 /// The ground, which takes what it is given, is far below.
 TEST(ContactSolver, KeepsTheMomentumOfClothsAndABallThatIsPushed) {
-    for (const ResponseKind kind : kinds) {
+    for (const ResponseKind kind : values_of<ResponseKind>()) {
         Ball ball = turning_ball();
         ball.inverse_mass = 2;
         TwoSheets sheets(3, ball, {Real(0.4), Real(0.3)});
@@ -125,7 +114,7 @@ TEST(ContactSolver, KeepsTheMomentumOfClothsAndABallThatIsPushed) {
 }
 
 TEST(ContactSolver, PushesAndNeverPullsAndStaysInTheConeOfFriction) {
-    for (const ResponseKind kind : kinds) {
+    for (const ResponseKind kind : values_of<ResponseKind>()) {
         TwoSheets sheets(4, turning_ball(), {Real(0.4), 0});
         sheets.respond({.kind = kind, .friction = Real(0.4)});
         for (const RowKind of : {RowKind::Particle, RowKind::Triangle, RowKind::Pair}) {

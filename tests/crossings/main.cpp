@@ -55,7 +55,7 @@ struct Tally {
         held_back += simulation.report().failsafe_particles;
         if (simulation.report().status != Status::Ok) ++ended, error = simulation.report().error;
         if (steps % every != 0) return true;
-        const std::int64_t count = oracle.count(simulation);
+        const std::int64_t count = oracle.count(simulation.cloths());
         if (count > 0) ++crossed;
         return count == 0;
     }

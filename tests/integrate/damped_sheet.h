@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -61,10 +62,9 @@ inline std::vector<IntegratorParameters> implicit_methods() {
 /// Every method, the implicit ones with both Hessians.
 inline std::vector<IntegratorParameters> all_methods() {
     std::vector<IntegratorParameters> methods = implicit_methods();
-    for (const auto kind : {IntegratorKind::ExplicitEuler, IntegratorKind::SymplecticEuler,
-                            IntegratorKind::VelocityVerlet, IntegratorKind::Rk4, IntegratorKind::DormandPrince,
-                            IntegratorKind::Xpbd, IntegratorKind::ProjectiveDynamics}) {
-        methods.push_back({.integrator = kind});
+    for (const IntegratorKind kind : values_of<IntegratorKind>()) {
+        const bool is_implicit = std::ranges::count(methods, kind, &IntegratorParameters::integrator) > 0;
+        if (!is_implicit) methods.push_back({.integrator = kind});
     }
     return methods;
 }

@@ -5,6 +5,7 @@
 #include "drape/base/numbers.h"
 #include "drape/scene/setting_table.h"
 #include "lab/lab_run.h"
+#include "support/cloths.h"
 #include "support/exact_distance.h"
 
 namespace drape {
@@ -42,17 +43,6 @@ std::string touched_one_by_one(const Grid& grid, const Points& x, const Ball& ba
     return text;
 }
 
-/// A rumpled sheet of one unit's size.
-Points random_cloth(const Grid& grid, std::mt19937& random, double rumple) {
-    std::normal_distribution<double> noise(0, rumple);
-    Points x(grid.particles(), 3);
-    for (int p = 0; p < grid.particles(); ++p) {
-        x.row(p) << static_cast<Real>(p % grid.nx) / static_cast<Real>(grid.nx - 1) + noise(random), noise(random),
-            static_cast<Real>(p / grid.nx) / static_cast<Real>(grid.ny - 1) + noise(random);
-    }
-    return x;
-}
-
 TEST(LongLabCollide, FindsWhatMeasuringEveryTriangleFindsWithEveryVolumeFitUpdateAndLeafSize) {
     std::vector<std::vector<std::string>> methods;
     for (const std::string& update : find_setting("contact.update").choices) {
@@ -65,11 +55,11 @@ TEST(LongLabCollide, FindsWhatMeasuringEveryTriangleFindsWithEveryVolumeFitUpdat
     }
     const LabFolder folder;
     std::mt19937 random(17);
-    std::uniform_real_distribution<double> place(-0.2, 1.2), size(0.01, 0.5);
+    std::uniform_real_distribution<double> place(-0.7, 0.7), size(0.01, 0.5);
     std::size_t touched = 0;
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const Grid grid{2 + static_cast<int>(random() % 30), 2 + static_cast<int>(random() % 30)};
-        const Points x = random_cloth(grid, random, i % 3 == 0 ? 0.2 : 0.01);
+        const Points x = test::random_cloth(grid, random);
         Ball ball{.centre = {place(random), place(random) / 4, place(random)}, .radius = size(random)};
         if (i % 4 == 0) {
             // Just touching one triangle's corner, or just not

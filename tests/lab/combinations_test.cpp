@@ -4,16 +4,9 @@
 
 #include "drape/scene/setting_table.h"
 #include "lab/combinations/combination.h"
-#include "lab/lab_run.h"
 
 namespace drape {
 namespace {
-
-using test::LabFolder;
-using test::LabRun;
-using test::table_of;
-using testing::AnyOf;
-using testing::HasSubstr;
 
 constexpr double seconds = 1;  // `drape-lab combinations` has two
 constexpr std::size_t responses = enum_count<ResponseKind>, combinations = 2 * responses * enum_count<IntegratorKind>;
@@ -38,7 +31,7 @@ TEST_P(Combinations, StayWithinBoundsAndHaveTheBitsOfBruteForce) {
         const Settings by_tree = with_sampled_tree(combination(number));
         const CombinationRun run = run_combination(combination(number), seconds);
         // The last of the flaws: the cloth comes to rest later
-        EXPECT_THAT(run.row.word("flaw"), AnyOf("none", "speed")) << number;
+        EXPECT_THAT(run.row.word("flaw"), testing::AnyOf("none", "speed")) << number;
         EXPECT_EQ(run.hash, run_combination(by_tree, seconds).hash)
             << name_of(by_tree.contact.volume) << ", " << name_of(by_tree.contact.update);
     }
@@ -81,16 +74,6 @@ TEST(CombinationRun, HasOtherBitsOrAFlawWhereSomethingIsWrong) {
     EXPECT_EQ(flaw(projection, {"ball.position=5,5,5", "ground.solid=false"}), "no_contact");
     EXPECT_EQ(flaw(penalty, {"contact.stiffness=10"}), "penetration");
     EXPECT_EQ(flaw(projection, {"cloth.drag=0", "contact.friction=0", "restitution=1", "dt=1e-3"}), "speed");
-}
-
-TEST(LabCombinations, WritesARowACombination) {
-    const LabFolder folder;
-    const LabRun run = folder.run({"combinations", "--quick", "--cases", "9-10", "--out", "out"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const auto rows = table_of(folder, "out/combinations.csv");
-    ASSERT_EQ(rows.size(), 3u);
-    EXPECT_THAT(rows[1], HasSubstr("9,symplectic_euler,projection,discrete,1,0.0005,"));
-    EXPECT_THAT(rows[2], HasSubstr(",none"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// The experiment on the accuracy of contact: its parts, and a share of it run as a program.
+// The experiment on the accuracy of contact: its parts, and what its cases find.
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "drape/bounds/node_view.h"
 #include "drape/scene/scene.h"
@@ -8,15 +8,9 @@
 #include "drape/sim/simulation.h"
 #include "lab/contact/contact_trial.h"
 #include "lab/experiments.h"
-#include "lab/lab_run.h"
 
 namespace drape {
 namespace {
-
-using test::LabFolder;
-using test::LabRun;
-using test::table_of;
-using ::testing::HasSubstr;
 
 TEST(ContactTrial, DoesWhatTheSimulationDoesToTheSameBits) {
     for (const char* setting : {"contact.continuous=false", "contact.search_tests=20", "contact.continuous=true",
@@ -65,17 +59,6 @@ TEST(HungCloth, IsHeldByAContinuousSearchAtTheStepsAtWhichADiscreteOneIsPassed) 
     EXPECT_EQ(continuous.number("missed_steps"), 0);
     EXPECT_LT(continuous.number("missed_contacts"), 0.1);
     EXPECT_LT(continuous.number("momentum_error"), discrete.number("momentum_error"));
-}
-
-TEST(LabContact, WritesARowASearch) {
-    const LabFolder folder;
-    // The shortest of its runs: a fast ball at long steps
-    const std::string all = std::to_string(contact_experiment().cases(true).size());
-    const LabRun run = folder.run({"contact", "--quick", "--share", "14/" + all, "--out", "out"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const auto rows = table_of(folder, "out/contact.csv");
-    ASSERT_EQ(rows.size(), 5u) << "a header and four searches";
-    EXPECT_THAT(rows[1], HasSubstr("discrete,0,32,"));
 }
 
 }  // namespace

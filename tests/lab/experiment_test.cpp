@@ -22,6 +22,34 @@ LabRun run_some(const LabFolder& folder, std::vector<std::string> words) {
     return folder.run(words, DRAPE_LAB, without_gnuplot);
 }
 
+/// Quick cases of an experiment, how many rows they have, and what is in the files.
+struct SomeCases {
+    const char *experiment, *cases;
+    std::size_t rows;
+    std::vector<const char*> in_table;
+    std::vector<const char*> charts = {};
+};
+
+TEST(LabExperiment, WritesTheRowsOfTheCasesThatAreAskedForAndDrawsThem) {
+    const LabFolder folder;
+    const SomeCases asked[]{
+        {"combinations", "9-10", 2, {"\n9,symplectic_euler,projection,discrete,1,0.0005,", ",none\n10,"}},
+        {"rest", "2-2", 1, {"\n2,rest,drop,projection,symplectic_euler,0.000313,asleep,"}},
+        {"responses", "16-17", 2, {"\n16,step,hybrid,0.00026042,", "\n17,limit,penalty,nan,"}},
+        {"contact", "14-14", 4, {"\n14,discrete,0,32,"}},
+        {"continuous", "1-10", 12, {"\n9,time,none,continuous,"}, {"continuous_misses.svg", "continuous_time.svg"}}};
+    for (const auto& [experiment, cases, rows, in_table, charts] : asked) {
+        SCOPED_TRACE(experiment);
+        const LabRun run = folder.run({experiment, "--quick", "--cases", cases, "--out", "out"});
+        ASSERT_EQ(run.code, 0) << run.err;
+        const std::string table = std::string("out/") + experiment + ".csv";
+        EXPECT_EQ(table_of(folder, table).size(), 1 + rows);
+        for (const char* text : in_table) EXPECT_THAT(folder.read(table), HasSubstr(text));
+        if (run.has_no_gnuplot()) continue;
+        for (const std::string chart : charts) EXPECT_THAT(folder.read("out/" + chart), HasSubstr("</svg>"));
+    }
+}
+
 TEST(LabExperiment, GoesOnWhereItWasInterruptedAndOnlyWithItsOwnTable) {
     const LabFolder folder;
     const LabRun first = run_some(folder, {"--out", "whole"});

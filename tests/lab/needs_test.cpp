@@ -87,7 +87,7 @@ TEST(NeedsSearch, MeasuresWhatEachHierarchyShowsIfTheSearchHasALimit) {
     scene.cloths[0].centred = true;
     scene.balls.emplace_back();
     scene.contact.leaf_cells = 2;
-    scene.contact.search_level = 2;
+    scene.contact.search.level = 2;
     scene.needs.horizon = Real(0.15);
     scene.needs.position_error = 1;
     scene.needs.keep = "particles, bend, drag, integrator, dt, iterations, update, sphere_fit, leaf_cells";

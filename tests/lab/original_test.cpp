@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "drape/base/resources.h"
-#include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
 #include "lab/lab_run.h"
 
@@ -27,11 +26,7 @@ LabRun run_alone(const LabFolder& folder, const std::string& cases) {
 }
 
 TEST(LongLabOriginal, HasEveryCellWhereThereIsAProgramToDraw) {
-    const LabFolder folder;
-    const LabRun run = folder.run({"original", "--quick", "--cases", "1-1", "--out", "out"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const Experiment original = original_experiment();
-    const Rows rows = read_table(original, folder.path("out/original.csv")).value().rows();
+    const Rows rows = original_experiment().cases(true)[0]();
     ASSERT_EQ(rows.size(), 4u);
     for (const Row& row : rows) {
         EXPECT_GT(row.number("execution_s"), 0);

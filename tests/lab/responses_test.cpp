@@ -1,18 +1,12 @@
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "drape/contact/response.h"
 #include "lab/experiments.h"
-#include "lab/lab_run.h"
 
 namespace drape {
 namespace {
-
-using test::LabFolder;
-using test::LabRun;
-using test::table_of;
-using testing::HasSubstr;
 
 /// What the experiment finds of a response at a step of 1/60 s, a quarter, a 16th or a 64th of that.
 Row at_step(ResponseKind kind, std::size_t quarterings) {
@@ -61,16 +55,6 @@ TEST(LabPenaltyLimit, FallsWithTheRootOfTheStiffnessAndIsNearThePrediction) {
     EXPECT_NEAR(soft.number("measured_step_s") / stiff.number("measured_step_s"), std::sqrt(10), 0.1);
     EXPECT_NEAR(soft.number("predicted_step_s") / stiff.number("predicted_step_s"), std::sqrt(10), 1e-3);
     EXPECT_NEAR(soft.number("measured_step_s") / soft.number("predicted_step_s"), 1, 0.1);
-}
-
-TEST(LabResponses, WritesARowAStepAndARowALimit) {
-    const LabFolder folder;
-    const LabRun run = folder.run({"responses", "--quick", "--cases", "16-17", "--out", "out"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const auto rows = table_of(folder, "out/responses.csv");
-    ASSERT_EQ(rows.size(), 3u);
-    EXPECT_THAT(rows[1], HasSubstr("16,step,hybrid,0.00026042,"));
-    EXPECT_THAT(rows[2], HasSubstr("17,limit,penalty,nan,"));
 }
 
 }  // namespace

@@ -1,20 +1,14 @@
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "drape/scene/scene.h"
 #include "drape/sim/simulation.h"
 #include "lab/experiments.h"
-#include "lab/lab_run.h"
 #include "lab/needs/needs.h"
 
 namespace drape {
 namespace {
-
-using test::LabFolder;
-using test::LabRun;
-using test::table_of;
-using testing::HasSubstr;
 
 /// The settings of a quick case.
 Settings quick_drop(const Row& row, IntegratorKind integrator) {
@@ -54,20 +48,6 @@ TEST(LongDriftCase, IsHowFarTheFarthestParticleWasFromWhereItRested) {
     EXPECT_GT(farthest, 0);
     EXPECT_LT(farthest, 1e-4);
     EXPECT_EQ(row.word("end"), "awake");
-}
-
-TEST(LabRest, WritesARowACase) {
-    const LabFolder folder;
-    const std::pair<const char*, const char*> cases[]{
-        {"2-2", "2,rest,drop,projection,symplectic_euler,0.000313,asleep,"},
-        {"22-22", "22,drift,drop,projection,velocity_verlet,0.000313,awake,nan,nan,"}};
-    for (const auto& [number, row] : cases) {
-        const LabRun run = folder.run({"rest", "--quick", "--cases", number, "--out", number});
-        ASSERT_EQ(run.code, 0) << run.err;
-        const auto rows = table_of(folder, std::string(number) + "/rest.csv");
-        ASSERT_EQ(rows.size(), 2u);
-        EXPECT_THAT(rows[1], HasSubstr(row));
-    }
 }
 
 }  // namespace

@@ -1,19 +1,13 @@
-// The experiment on contact between cloths: its trial, what it finds with the fail-safe and without, and its table.
+// The experiment on contact between cloths: its trial, and what it finds with the fail-safe and without.
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include "drape/sim/simulation.h"
 #include "lab/contact/contact_trial.h"
-#include "lab/experiment/experiment_table.h"
 #include "lab/experiments.h"
-#include "lab/lab_run.h"
 
 namespace drape {
 namespace {
-
-using test::LabFolder;
-using test::LabRun;
-using ::testing::HasSubstr;
 
 TEST(ContactTrialOfSheets, DoesWhatTheSimulationDoesToTheSameBits) {
     ContactScene scene = throw_sheet(4, Real(0.004));
@@ -40,12 +34,7 @@ TEST(ContactTrialOfSheets, DoesWhatTheSimulationDoesToTheSameBits) {
 }
 
 TEST(NightlyLabSelfContact, FindsCrossingsWithoutTheFailSafeAndWithItWhereTheSearchGivesUp) {
-    const LabFolder folder;
-    const LabRun run = folder.run({"self_contact", "--quick", "--cases", "1-1", "--out", "out"});
-    ASSERT_EQ(run.code, 0) << run.err;
-    const Experiment experiment = self_contact_experiment();
-    const auto table = read_table(experiment, folder.path("out/self_contact.csv"));
-    const Rows rows = table->rows();
+    const Rows rows = self_contact_experiment().cases(true)[0]();
     ASSERT_EQ(rows.size(), 12u) << "four steps three times";
     const Row &zones = rows[3], &rejection = rows[4], &none = rows[5];  // steps of 1/240 s
     EXPECT_EQ(zones.word("fail_safe"), "zones");

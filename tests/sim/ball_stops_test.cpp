@@ -25,14 +25,11 @@ protected:
 
     void steer(const std::string& direction, double seconds) {
         send(*simulation_, "steer " + direction);
-        const double end = simulation_->report().time + seconds;
         longest_ = 0, nearest_ = 1;
-        while (simulation_->report().time < end) {
-            simulation_->step();
-            ASSERT_EQ(simulation_->report().status, Status::Ok) << simulation_->report().error;
+        run_until(*simulation_, simulation_->report().time + seconds, [this] {
             longest_ = std::max(longest_, largest_stretch(cloth().model, cloth().state.x));
             nearest_ = std::min(nearest_, gap_to_pins());
-        }
+        });
     }
 
     [[nodiscard]] const Ball& ball() const { return simulation_->balls()[0]; }

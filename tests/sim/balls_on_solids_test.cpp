@@ -51,8 +51,7 @@ void let_it_dart(Settings& settings) {
 }
 
 TEST(BallsOnSolids, ABallFallsBouncesAndRestsOnABoxAsOnTheGround) {
-    for (const ResponseKind response :
-         {ResponseKind::Projection, ResponseKind::Impulse, ResponseKind::Penalty, ResponseKind::Hybrid}) {
+    for (const ResponseKind response : values_of<ResponseKind>()) {
         SCOPED_TRACE(name_of(response));
         Settings settings = ball_alone(BallMotion::Free, {0, size_of_ball + Real(0.5), 0}, {Real(0.2), 0, 0});
         settings.contact.response = response;

@@ -34,7 +34,7 @@ ClothParameters sheet(Plane plane, Grid grid = {7, 7}) {
     return cloth;
 }
 
-std::int64_t crossings_of(const Simulation& simulation) { return test::SceneCrossings().count(simulation); }
+std::int64_t crossings_of(const Simulation& simulation) { return test::SceneCrossings().count(simulation.cloths()); }
 
 /// Sheets in one place, and one whose lower edge is in the plane of another.
 TEST(CoincidentCloths, AreSaidAndRunOn) {

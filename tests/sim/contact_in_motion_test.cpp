@@ -45,12 +45,11 @@ Real lowest_of_hand(bool solid) {
     send(simulation, "drag 0.02 -1 0.01");
     const Ball ball = simulation.balls()[0];
     Real lowest = 1;
-    while (simulation.report().time < 1.2) {
-        simulation.step();
+    run_until(simulation, 1.2, [&] {
         const Vec3 hand = position_of(simulation, 0);
         EXPECT_GE((hand - ball.centre).norm(), ball.radius);
         lowest = std::min(lowest, hand.y());
-    }
+    });
     return lowest;
 }
 
@@ -167,11 +166,8 @@ TEST(Ground, ThrowsNothingBackWithoutRestitutionWhileTheWayIsTested) {
     Simulation simulation =
         shipped_simulation("drop", {"ball.position=5,0.3,0", "contact.continuous=true", "cloth.centre=0,0.012,0"});
     Real highest = 0;
-    while (simulation.report().time < 0.2) {
-        simulation.step();
-        if (simulation.report().time > 0.1)
-            highest = std::max(highest, simulation.cloths()[0].state.v.col(1).maxCoeff());
-    }
+    run_until(simulation, 0.1);
+    run_until(simulation, 0.2, [&] { highest = std::max(highest, simulation.cloths()[0].state.v.col(1).maxCoeff()); });
     EXPECT_LT(highest, 0.05);
 }
 

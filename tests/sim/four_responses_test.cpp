@@ -33,17 +33,6 @@ Settings sheet_at(Real height, SpringLaw springs = {}) {
 
 Vec3 centre_of(const Simulation& simulation) { return simulation.cloths()[0].state.x.colwise().mean().transpose(); }
 
-/// @param visit after each step
-template <class Visit = void (*)()>
-void run(
-    Simulation& simulation, double time, Visit visit = [] {}) {
-    for (auto steps = std::llround(time / simulation.settings().solver.dt); steps > 0; --steps) {
-        simulation.step();
-        ASSERT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
-        visit();
-    }
-}
-
 /// How far a sheet has gone down a slope between two times.
 struct Slide {
     double way = 0, expected = 0;  ///< [m]
@@ -66,10 +55,10 @@ Slide slide_down(Settings settings, double part, double from, double to) {
     tilted.x = flat.x.col(0) * down.transpose() + flat.x.col(1) * up.transpose();
     tilted.x.col(2) = flat.x.col(2);
     Simulation simulation("slope", std::move(settings), std::move(start));
-    run(simulation, from);
+    run_until(simulation, from);
     const Real before = centre_of(simulation).dot(down);
     const double began = simulation.report().time;
-    run(simulation, to - began);
+    run_until(simulation, to);
     const double ended = simulation.report().time;
     const double acceleration = std::max(earth_g * (std::sin(slope) - friction * std::cos(slope)), 0.);
     return {.way = static_cast<double>(centre_of(simulation).dot(down) - before),
@@ -78,10 +67,7 @@ Slide slide_down(Settings settings, double part, double from, double to) {
 
 class EachResponse : public testing::TestWithParam<ResponseKind> {};
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EachResponse,
-                         testing::Values(ResponseKind::Projection, ResponseKind::Penalty, ResponseKind::Impulse,
-                                         ResponseKind::Hybrid),
-                         name_of_param);
+INSTANTIATE_TEST_SUITE_P(Kinds, EachResponse, testing::ValuesIn(values_of<ResponseKind>()), name_of_param);
 
 // A fall of 0.5 m takes sqrt(2 H / g) = 0.319275428 s, and the n-th bounce comes to e^2n H
 TEST_P(EachResponse, BouncesToTheHeightThatTheRestitutionLeaves) {
@@ -95,7 +81,7 @@ TEST_P(EachResponse, BouncesToTheHeightThatTheRestitutionLeaves) {
     double touched = 0;
     std::vector<Real> peaks;
     Real last = height, speed = 0;
-    run(sheet, 1.2, [&] {
+    run_until(sheet, 1.2, [&] {
         const Real y = centre_of(sheet).y(), now = y - last;
         if (touched == 0 && sheet.report().contacts > 0) touched = sheet.report().time;
         if (touched > 0 && speed > 0 && now <= 0) peaks.push_back(last);
@@ -129,7 +115,7 @@ TEST_P(EachResponse, KeepsTheMomentumOfBallAndClothTogether) {
         Simulation simulation("ball", std::move(settings));
         const Vec3 before = whole_momentum(simulation);
         bool touched = false;
-        run(simulation, 0.2, [&] { touched = touched || simulation.report().contacts > 0; });
+        run_until(simulation, 0.2, [&] { touched = touched || simulation.report().contacts > 0; });
         EXPECT_TRUE(touched);
         EXPECT_GT((simulation.balls()[0].velocity - Vec3(1, 2, 0)).norm(), 0.1);
         EXPECT_GT(simulation.balls()[0].spin.norm(), 0.1) << "friction turns the ball";
@@ -144,11 +130,11 @@ TEST_P(EachResponse, RestsWithoutAQuiver) {
     settings.contact.response = GetParam();
     settings.ground.friction = Real(0.5);
     Simulation sheet("sheet", std::move(settings));
-    run(sheet, 1);
+    run_until(sheet, 1);
     const Points there = sheet.cloths()[0].state.x;
     Real farthest = 0;
-    run(sheet, 0.5,
-        [&] { farthest = std::max(farthest, (sheet.cloths()[0].state.x - there).rowwise().norm().maxCoeff()); });
+    run_until(sheet, 1.5,
+              [&] { farthest = std::max(farthest, (sheet.cloths()[0].state.x - there).rowwise().norm().maxCoeff()); });
     EXPECT_LT(farthest, 1e-7);
 }
 
@@ -171,7 +157,7 @@ TEST(Penalty, HoldsASheetAtLongerStepsWhereDampersSeeWhatHasMoved) {
         settings.solver.dt = 2.9e-3;
         Simulation sheet("sheet", std::move(settings));
         Real highest = 0;
-        run(sheet, 3, [&] { highest = std::max(highest, centre_of(sheet).y()); });
+        run_until(sheet, 3, [&] { highest = std::max(highest, centre_of(sheet).y()); });
         EXPECT_EQ(highest > Real(0.01), kind == IntegratorKind::SymplecticEuler) << highest << " m";
     }
 }

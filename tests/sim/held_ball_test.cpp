@@ -118,10 +118,7 @@ TEST(HeldBall, IsStoppedByClothThatPinsHold) {
             send(simulation, "hold 0");
             send(simulation, "drag 0.03 -2 0.02");
             Real deepest = 0;
-            while (simulation.report().time < 0.5) {
-                simulation.step();
-                deepest = std::max(deepest, depth(simulation));
-            }
+            run_until(simulation, 0.5, [&] { deepest = std::max(deepest, depth(simulation)); });
             EXPECT_GT(simulation.report().contacts, 0);
             EXPECT_LT(deepest, long_steps ? 3e-3 : 1e-4) << "m";
             EXPECT_GT(ball_of(simulation).centre.y(), simulation.cloths()[0].state.x.col(1).minCoeff()) << "on it";

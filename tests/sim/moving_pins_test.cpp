@@ -118,10 +118,7 @@ TEST(MovingPins, GoBackToTheirWayOnceTheHandLetsGo) {
     run_until(simulation, 0.5);
     send(simulation, "release");
     Real fastest = 0;
-    while (simulation.report().time < 2) {
-        simulation.step();
-        fastest = std::max(fastest, simulation.cloths()[0].state.v.row(0).norm());
-    }
+    run_until(simulation, 2, [&] { fastest = std::max(fastest, simulation.cloths()[0].state.v.row(0).norm()); });
     EXPECT_LT(off_by_the_end(simulation), 2e-6);
     EXPECT_LT(fastest, 6) << "no faster than a hand and the way together";
 }

@@ -186,12 +186,11 @@ INSTANTIATE_TEST_SUITE_P(Nightly, RestOfShippedScenes, testing::ValuesIn(shipped
 Real mean_push(Simulation& simulation) {
     const double start = simulation.report().time;
     Real push = 0;
-    while (simulation.report().time < start + 1) {
-        simulation.step();
+    run_until(simulation, start + 1, [&] {
         for (const ContactRow& contact : simulation.contacts()) {
             push -= contact.impulse.normal * contact.normal.y() + contact.impulse.friction.y();
         }
-    }
+    });
     return push / static_cast<Real>(simulation.report().time - start);
 }
 
@@ -233,10 +232,7 @@ TEST(LongRest, OfSheetsThatLieOnEachOtherIsSlowerThanHalfAMillimetreASecond) {
         shipped_simulation("stack", {"cloth.particles=16,16", "cloth.drag=3.3e-2", "dt=4e-4", "sleep_speed=0"});
     run_until(simulation, 4.0);
     double fastest = 0;
-    while (simulation.report().time < 4.2) {
-        simulation.step();
-        fastest = std::max(fastest, books(simulation).rms_speed);
-    }
+    run_until(simulation, 4.2, [&] { fastest = std::max(fastest, books(simulation).rms_speed); });
     EXPECT_GT(simulation.report().pairs, 100);
     EXPECT_LT(fastest, 0.5e-3);
 }

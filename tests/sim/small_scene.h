@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -72,11 +73,8 @@ inline std::vector<std::string> scenes_that_fail(bool fail) {
 
 /// Every method but some.
 inline std::vector<IntegratorKind> methods_but(const std::vector<IntegratorKind>& others) {
-    std::vector<IntegratorKind> methods;
-    for (const std::string& name : names_of<IntegratorKind>()) {
-        const IntegratorKind kind = value_named<IntegratorKind>(name).value();
-        if (std::ranges::count(others, kind) == 0) methods.push_back(kind);
-    }
+    std::vector<IntegratorKind> methods = values_of<IntegratorKind>();
+    std::erase_if(methods, [&](IntegratorKind kind) { return std::ranges::count(others, kind) > 0; });
     return methods;
 }
 
@@ -106,8 +104,13 @@ inline void go_to(Session& session, std::int64_t step) {
 }
 
 /// Steps until a time, or until the cloth is lost, which fails the test.
-inline void run_until(Simulation& simulation, double time) {
-    while (simulation.report().time < time && simulation.report().status == Status::Ok) simulation.step();
+/// @param look at it after each step
+inline void run_until(
+    Simulation& simulation, double time, const std::function<void()>& look = [] {}) {
+    while (simulation.report().time < time && simulation.report().status == Status::Ok) {
+        simulation.step();
+        look();
+    }
     EXPECT_EQ(simulation.report().status, Status::Ok) << simulation.report().error;
 }
 

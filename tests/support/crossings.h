@@ -86,14 +86,9 @@ inline std::int64_t crossings(const BoxedCloth& first, const BoxedCloth& second,
     };
     for (const auto& [cells, others] : leaves) {
         const bool ordered = first.cloth.number == second.cloth.number && cells == others;
-        for (int j = cells.j0; j < cells.j1; ++j) {
-            for (int i = cells.i0; i < cells.i1; ++i) {
-                for (int l = others.j0; l < others.j1; ++l) {
-                    for (int k = others.i0; k < others.i1; ++k)
-                        visit(j * grid.cell_columns() + i, l * other.cell_columns() + k, ordered);
-                }
-            }
-        }
+        for_each_cell_of(cells, [&](int i, int j) {
+            for_each_cell_of(others, [&](int k, int l) { visit(grid.cell(i, j), other.cell(k, l), ordered); });
+        });
     }
     return count;
 }

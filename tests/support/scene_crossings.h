@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "drape/bounds/broad_phase.h"
-#include "drape/sim/simulation.h"
 #include "support/crossings.h"
 
 namespace drape::test {
@@ -13,8 +12,9 @@ namespace drape::test {
 /// from hierarchies of its own, of boxes and without the cone test.
 class SceneCrossings {
 public:
-    std::int64_t count(const Simulation& simulation) {
-        const auto cloths = simulation.cloths();
+    /// @param cloths the same in every call, each with its model and its state
+    template <class Cloths>
+    std::int64_t count(const Cloths& cloths) {
         trees_.resize(cloths.size());
         boxes_.resize(cloths.size());
         std::vector<BoxedCloth> boxed;

@@ -30,7 +30,7 @@ enum class UpdateKind {
 struct SearchLimit {
     static constexpr int all_levels = 30;
     int level = all_levels;  ///< the children of nodes of this level are not visited
-    std::int64_t tests = 0;  ///< volume tests after which no children are visited; 0: no end
+    int tests = 0;           ///< volume tests of one query after which no children are visited; 0: no end
 
     [[nodiscard]] bool none() const { return level >= all_levels && tests == 0; }
     bool operator==(const SearchLimit&) const = default;

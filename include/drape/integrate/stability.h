@@ -54,7 +54,7 @@ LimitingMode limiting_mode(const ClothModel& model, const ClothState& state, Int
 /// 2/d. RK4: where its amplification reaches 1, which undamped is z = 2 sqrt(2).
 /// @param k [1/s^2], d [1/s]
 /// @return [s]; infinite for the other methods, and if both are 0
-Real longest_step(IntegratorKind kind, Real k, Real d);
+double longest_step(IntegratorKind kind, double k, double d);
 
 /// True for the methods whose step has a limit: the explicit ones with a fixed step.
 bool has_step_limit(IntegratorKind kind);

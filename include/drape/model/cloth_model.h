@@ -45,6 +45,10 @@ struct ClothParameters {
     Real stretch_limit = 0;                  ///< largest stretch of a structural spring, of its rest length; 0: none
     bool operator==(const ClothParameters&) const = default;
 
+    /// Rest length along columns and rows [m].
+    [[nodiscard]] Real hx() const { return width / static_cast<Real>(particles.nx - 1); }
+    [[nodiscard]] Real hy() const { return height / static_cast<Real>(particles.ny - 1); }
+
     /// From particle (0,0) to the last one, in the cloth's plane [m].
     [[nodiscard]] Vec3 diagonal() const {
         return plane == Plane::XZ ? Vec3(width, 0, height) : Vec3(width, -height, 0);
@@ -85,6 +89,10 @@ struct ClothModel {
     std::uint64_t revision = 0;  ///< changes with every change of masses, springs or pins: the key of cached factors
 
     [[nodiscard]] bool pinned(int particle) const { return inverse_mass[particle] == 0; }
+
+    /// At rest, along columns and rows [m].
+    [[nodiscard]] Real width() const { return hx * static_cast<Real>(grid.nx - 1); }
+    [[nodiscard]] Real height() const { return hy * static_cast<Real>(grid.ny - 1); }
 
     /// Holds a particle (it keeps whatever velocity it is given) or lets it go.
     void hold(int particle, bool held);

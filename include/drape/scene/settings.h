@@ -89,14 +89,9 @@ inline constexpr std::string_view other_name<Continuous::Always> = "true";
 template <>
 inline constexpr std::string_view other_name<Continuous::Never> = "false";
 
-/// How contacts are found and answered, and the surface of balls, solids and cloth.
-struct ContactSettings : Surface {
-    VolumeKind volume = VolumeKind::Sphere;
-    UpdateKind update = UpdateKind::Rebuild;
-    int leaf_cells = 0;  ///< 0: as measured to be fastest
-    SphereFit sphere_fit = SphereFit::Centroid;
-    int search_level = SearchLimit::all_levels;
-    int search_tests = 0;  ///< of one query; 0: no end
+/// The hierarchy by which contacts are found, how they are answered, and the surface of balls, solids and cloth.
+/// Kernels are the solver's, see `broad_phase_of`.
+struct ContactSettings : Surface, BroadPhaseParameters {
     ResponseKind response = ResponseKind::Projection;
     Real thickness = Real(0.002);
     Real stiffness = 1000;       ///< of penalties, a contact [N/m]

@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "drape/base/copied.h"
@@ -123,8 +122,10 @@ private:
     /// What is wrong with the step of a run that has diverged, as a sentence with a space after it; empty if nothing.
     [[nodiscard]] std::string limit_advice() const;
 
-    /// That the step is longer than the limit of the method, and than that of the penalty; empty where it is not.
-    [[nodiscard]] std::pair<std::string, std::string> limit_warnings() const;
+    /// That a step is longer than the method's limit, and that a substep is longer than the limit of the penalty at a
+    /// particle of some cloth, in one line each; empty where it is not.
+    [[nodiscard]] std::string step_limit_warning() const;
+    [[nodiscard]] std::string penalty_limit_warning() const;
 
     [[nodiscard]] bool kinematic_body_has_moved() const;
     void end_with(std::string error);

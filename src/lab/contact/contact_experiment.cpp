@@ -182,7 +182,7 @@ Rows run_contact_case(double speed, double step, int repeats) {
         Row& row = rows.emplace_back(misses_of(run, reference));
         // A ball that has gone through counts with its radius
         row.set({{"search", name},
-                 {"tests", std::to_string(settings.contact.search_tests)},
+                 {"tests", settings.contact.search.tests},
                  {"penetration_m", run.passed ? radius : run.entered},
                  {"left_m", run.passed ? radius : run.left},
                  {"momentum_error", (run.momentum - reference.momentum).norm() / reference.momentum.norm()},

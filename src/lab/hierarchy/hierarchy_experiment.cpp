@@ -163,11 +163,7 @@ ExperimentCases levels(bool quick) {
 Row simulate(const std::string& scene, const BroadPhaseParameters& parameters, double time, Points& x) {
     Settings settings = load_scene(scene);
     settings.contact.self = false;
-    settings.contact.volume = parameters.volume;
-    settings.contact.update = parameters.update;
-    settings.contact.leaf_cells = parameters.leaf_cells;
-    settings.contact.search_level = parameters.search.level;
-    settings.contact.search_tests = static_cast<int>(parameters.search.tests);
+    static_cast<BroadPhaseParameters&>(settings.contact) = parameters;
     settings.solver.ledger = false;
     Simulation simulation(scene, settings);
     double missed_penetration = 0, false_contacts = 0;
@@ -185,12 +181,12 @@ Row simulate(const std::string& scene, const BroadPhaseParameters& parameters, d
 /// All limits of a search: the levels, then numbers of tests to as many as there are nodes.
 std::vector<SearchLimit> limits(const Grid& grid, int leaf_cells, bool quick) {
     const auto tree = make_quadtree_nodes(grid, leaf_cells);
-    const auto nodes = static_cast<std::int64_t>(tree.size());
+    const auto nodes = static_cast<int>(tree.size());
     std::vector<SearchLimit> all;
     for (int level = 0; level <= tree.back().level; ++level) all.push_back({.level = level});
     const double step = quick ? 2.5 : 1.5;
-    for (double tests = 1; tests < static_cast<double>(nodes); tests = std::max(tests + 1, tests * step)) {
-        all.push_back({.tests = std::llround(tests)});
+    for (double tests = 1; tests < nodes; tests = std::max(tests + 1, tests * step)) {
+        all.push_back({.tests = static_cast<int>(std::lround(tests))});
     }
     all.push_back({.tests = nodes});
     return all;

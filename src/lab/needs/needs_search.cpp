@@ -252,8 +252,7 @@ Settings computed_closely(Settings scene, double dt) {
     scene.solver.integrator = IntegratorKind::DormandPrince;
     scene.solver.tolerance = 0;
     scene.solver.dt = dt;
-    scene.contact.search_level = SearchLimit::all_levels;
-    scene.contact.search_tests = 0;
+    scene.contact.search = {};
     return scene;
 }
 
