@@ -45,17 +45,11 @@ void wait_for_refresh() {
     Display* display = glXGetCurrentDisplay();
     if (display == nullptr) return;
     const char* const known = glXQueryExtensionsString(display, DefaultScreen(display));
-    const std::string words = " " + std::string(known == nullptr ? "" : known) + " ";
-    // Null without the extension, too
-    const auto function = [&](const std::string& extension, const char* name) {
-        const bool has = words.find(" " + extension + " ") != std::string::npos;
-        return has ? glXGetProcAddress(reinterpret_cast<const GLubyte*>(name)) : nullptr;
-    };
-    if (const auto set = function("GLX_EXT_swap_control", "glXSwapIntervalEXT")) {
-        reinterpret_cast<void (*)(Display*, GLXDrawable, int)>(set)(display, glXGetCurrentDrawable(), 1);
-    } else if (const auto set_mesa = function("GLX_MESA_swap_control", "glXSwapIntervalMESA")) {
-        reinterpret_cast<int (*)(unsigned)>(set_mesa)(1);
-    }
+    const bool can = std::string(known == nullptr ? "" : known).find("GLX_EXT_swap_control") != std::string::npos;
+    using SetInterval = void (*)(Display*, GLXDrawable, int);
+    const auto name = reinterpret_cast<const GLubyte*>("glXSwapIntervalEXT");
+    const auto set = can ? reinterpret_cast<SetInterval>(glXGetProcAddress(name)) : nullptr;
+    if (set != nullptr) set(display, glXGetCurrentDrawable(), 1);
 }
 
 bool window_has_keyboard() {

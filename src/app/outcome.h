@@ -18,8 +18,6 @@ inline std::string outcome_of(const Command& command, const Simulation& simulati
     const Settings& settings = simulation.settings();
     const std::string text = setting_label(setting) + ": " + shown_value(setting, setting.read(settings, 0));
     std::string remark = why_without_effect(setting, settings, 0);
-    const bool is_hidden = settings.view.panel == PanelSize::Off;
-    if (name == "solver.ledger" && settings.solver.ledger && is_hidden) remark = "Tab shows it";
     if (name == "view.speed") remark = "simulated seconds in a second";
     const bool is_seen = setting.section == "view" && name != "view.speed";
     if (remark.empty()) return is_seen ? "" : text;

@@ -51,12 +51,8 @@ public:
             seen += held.direction;
             held.used = true;
         }
-        Vec3 direction = seen.x() * camera.right() + seen.y() * Vec3::UnitY() + seen.z() * camera.ahead();
-        if (direction.norm() > Real(1e-6)) {
-            direction.normalize();
-        } else {
-            direction.setZero();
-        }
+        const Vec3 sum = seen.x() * camera.right() + seen.y() * Vec3::UnitY() + seen.z() * camera.ahead();
+        const Vec3 direction = sum.norm() > Real(1e-6) ? Vec3(sum.normalized()) : Vec3::Zero();
         if (direction == given_) return std::nullopt;
         given_ = direction;
         return command::Steer{direction};

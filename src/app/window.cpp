@@ -177,7 +177,7 @@ FrameView Window::seen() {
 
 void Window::draw(const FrameView& view) {
     std::vector<std::string> texts = notices_.texts(session_.replay_notice());
-    for (std::string& text : state_notices(session_.simulation(), failure_note_)) texts.push_back(std::move(text));
+    for (std::string& text : state_notices(session_.simulation(), {})) texts.push_back(std::move(text));
     if (view.report->status == Status::Diverged && undo_.any()) {
         texts.emplace_back("Ctrl+Z takes the last change of a setting back");
     }
@@ -233,9 +233,8 @@ void Window::tell_of_failure() {
     const std::string& error = simulation.report().error;
     if (simulation.report().status == Status::Ok || error == told_failure_) return;
     told_failure_ = error;
-    failure_note_ = touring_ ? simulation.step_warning() : tell_failure(simulation, "");  // a tour writes no file
     tell("drape: " + error);
-    if (!failure_note_.empty()) tell(failure_note_);
+    if (const std::string warning = simulation.step_warning(); !warning.empty()) tell(warning);
 }
 
 // Not where the panel says that the picture is coarse, as where there is no time for every step, nor of what sleeps
@@ -246,9 +245,8 @@ void Window::tell_of_drops() {
     dropped_ = dropped;
     const Simulation& simulation = session_.simulation();
     if (draws_fast() || simulation.report().asleep) return;
-    const bool real = simulation.settings().view.speed == 1;
-    notices_.add("dropped", std::string("The scene runs slower than ") + (real ? "real time" : "view.speed asks") +
-                                ": " + real_text(std::round(10 * dropped) / 10, 6) + " s behind so far");
+    notices_.add("dropped", "The scene runs slower than it should: " + real_text(std::round(10 * dropped) / 10, 6) +
+                                " s behind so far");
 }
 
 // As it leaves the picture

@@ -144,8 +144,7 @@ private:
     std::optional<Menu> menu_;
     Stopwatch clock_;  ///< since the last tick
     std::exception_ptr failure_;
-    std::string failure_note_;  // what tells of the file of the last failure
-    std::string told_failure_;  ///< of which it tells
+    std::string told_failure_;  ///< the last of which the terminal was told
     ShotRepeat shot_repeat_;
     SceneWatch scene_watch_;
     SettingUndo undo_;

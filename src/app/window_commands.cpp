@@ -210,7 +210,6 @@ void Window::follow(const Command& command) {
     for (const char* topic : {"dropped", "crossing", "ball", "repeat"}) notices_.remove(topic);
     scene_clock_ = {};
     unshown_.reset();  // a picture of what was before
-    dirty_ = true;
 }
 
 }  // namespace drape

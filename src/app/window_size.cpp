@@ -1,7 +1,5 @@
 #include "window_size.h"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cstdlib>
 
@@ -41,9 +39,7 @@ void keep_window_size(const PictureSize& size) {
     const std::filesystem::path file = window_size_file();
     if (file.empty()) return;
     std::error_code refused;
-    const mode_t mask = umask(0077);  // the specification wants new folders to be the user's alone
     std::filesystem::create_directories(file.parent_path(), refused);
-    umask(mask);
     try {
         OutputFile out(file);
         out.stream() << size_text(size) << "\n";

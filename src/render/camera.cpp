@@ -17,7 +17,6 @@ constexpr float field_of_view = 38 * std::numbers::pi_v<float> / 180;  // of the
 constexpr float steepest = 1.5f;  // pitch [rad]: short of the poles, where the yaw would lose its meaning
 constexpr float least_distance = 0.1f, most_distance = 60;  // to the target [m]
 constexpr float eye_height = 0.04f;                         // above the ground, at least, as a part of the distance
-constexpr float farthest_target = 100;                      // from the origin, on each axis [m]
 
 float number(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
 
@@ -48,7 +47,8 @@ Eigen::AlignedBox3f box_of(const FrameView& view) {
     for (std::size_t i = 0; i < view.solids.size(); ++i) {
         box.extend(drawn_solid_box(view, i, Eigen::Matrix3f::Identity()).cast<Real>());
     }
-    return box.sizes().allFinite() ? box.cast<float>() : Eigen::AlignedBox3f();
+    const Eigen::AlignedBox3f rounded = box.cast<float>();
+    return rounded.sizes().allFinite() ? rounded : Eigen::AlignedBox3f();
 }
 
 constexpr Real nothing = std::numeric_limits<Real>::infinity();
@@ -116,18 +116,17 @@ void Camera::apply(const Command& command, const FrameView& view) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Eigen::AlignedBox3f box = box_of(view);
-        const Eigen::Vector3f centre = box.isEmpty() ? Eigen::Vector3f(0, 0, 0) : box.center();
-        const float radius = box.isEmpty() ? 1 : std::max(0.01f, 0.5f * box.diagonal().norm());
-        target_ = centre.cwiseMax(-farthest_target).cwiseMin(farthest_target);
+        if (box.isEmpty()) return;
+        const float radius = 0.5f * box.diagonal().norm();
+        target_ = box.center();
         distance_ = std::clamp(radius / std::sin(field_of_view / 2), least_distance, most_distance);
     } else {
         if (std::holds_alternative<command::Home>(command)) *this = Camera(view.settings->view);
         return;
     }
     // Above the ground, under which there is nothing to see
-    const Ground& ground = view.settings->ground;
-    if (!ground.solid) return;
-    const auto height = static_cast<float>(ground.height);
+    if (!view.settings->ground.solid) return;
+    const auto height = static_cast<float>(view.settings->ground.height);
     target_.y() = std::max(target_.y(), height);
     const float lowest = eye_height + (height - target_.y()) / distance_;
     pitch_ = std::min(std::max(pitch_, std::asin(std::clamp(lowest, -1.0f, 1.0f))), steepest);

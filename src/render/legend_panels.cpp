@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -179,17 +178,10 @@ float hierarchy_panel(const FrameView& view, LevelFits& fits, float taken, const
 void node_panel(const FrameView& view, const Camera& camera, int x, int y, const OverlayPage& page) {
     const auto pick = pick_node(view, camera, x, y, static_cast<int>(page.width), static_cast<int>(page.height));
     if (!pick) return;
-    const std::string title = node_title(*pick, view), reason = node_reason(*pick, view);
-    const float row = ImGui::GetTextLineHeightWithSpacing(), size = ImGui::GetFontSize(), rim = 0.5f * size;
-    const float width = std::max(text_width(title), text_width(reason)) + 2 * rim;
-    const float height = 2 * row + 2 * rim;
-    // Below the pointer at its right, or above or at its left where there is no room
-    ImVec2 corner{static_cast<float>(x) + size, static_cast<float>(y) + size};
-    if (corner.x + width > page.width) corner.x = std::max(static_cast<float>(x) - width - 0.5f * size, 0.0f);
-    if (corner.y + height > page.height) corner.y = std::max(static_cast<float>(y) - height - 0.5f * size, 0.0f);
-    draw_panel({corner.x, corner.y, corner.x + width, corner.y + height});
-    text_at({corner.x + rim, corner.y + rim}, ink::text, title);
-    text_at({corner.x + rim, corner.y + rim + row}, ink::wait, reason);
+    const float size = ImGui::GetFontSize(), across = static_cast<float>(x), down = static_cast<float>(y);
+    const auto beside = [size](float at, float room) { return at < room / 2 ? at + size : at - size / 2; };
+    tooltip({{ink::text, node_title(*pick, view)}, {ink::wait, node_reason(*pick, view)}},
+            {beside(across, page.width), beside(down, page.height)});
 }
 
 void colour_panel(const ColourScale& scale, int level, float taken, const OverlayPage& page) {

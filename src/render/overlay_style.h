@@ -117,11 +117,12 @@ inline void wrapped_text(ImVec2 corner, float width, ImU32 colour, std::string_v
     ImGui::PopTextWrapPos();
 }
 
-/// Wrapped texts, each in a colour. Nothing if the first is empty.
-/// @param corner of it: the upper left one, or that at a part of its size, as 1, 1 is the lower right one
-inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, ImVec2 corner, ImVec2 part = {}) {
+/// Wrapped texts, each in a colour, from a corner towards the middle of the picture. Nothing if the first is empty.
+inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, ImVec2 corner) {
     if (texts.begin()->second.empty()) return;
     const float size = ImGui::GetFontSize();
+    const ImVec2 page = ImGui::GetIO().DisplaySize;
+    const ImVec2 part{corner.x < page.x / 2 ? 0.0f : 1.0f, corner.y < page.y / 2 ? 0.0f : 1.0f};
     ImGui::SetNextWindowPos(corner, ImGuiCond_Always, part);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, size / 3);

@@ -87,13 +87,12 @@ SettingValue another_value(const SettingRow& row) {
 void SettingEditor::explain(const SettingRow& row) {
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive()) return;
     const Setting& setting = *row.setting;
-    // Beside the panel, up or down from the row, so that it covers no other row
-    const float left = ImGui::GetWindowPos().x - 0.5f * ImGui::GetFontSize(), top = ImGui::GetItemRectMin().y;
-    const bool is_low = top > ImGui::GetIO().DisplaySize.y / 2;
+    // Beside the panel, where it covers no other row
+    const float left = ImGui::GetWindowPos().x - 0.5f * ImGui::GetFontSize();
     tooltip({{ink::text, setting.full_name() + ": " + setting.help},
              {ink::wait, row.no_effect},
              {ink::quiet, accepted(setting)}},
-            {left, is_low ? ImGui::GetItemRectMax().y : top}, {1, is_low ? 1.0f : 0.0f});
+            {left, ImGui::GetItemRectMin().y});
 }
 
 std::optional<SettingValue> SettingEditor::edit(const SettingRow& row) {

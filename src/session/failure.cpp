@@ -114,7 +114,8 @@ std::vector<std::string> state_notices(const Simulation& simulation, const std::
     const double longest = simulation.longest_step();
     const bool shorter_helps = longest > 0 && simulation.settings().solver.dt > 0.9 * longest;
     std::vector<std::string> notices{report.error};
-    if (!failure.empty()) notices.push_back(failure);
+    const std::string& note = failure.empty() ? simulation.step_warning() : failure;
+    if (!note.empty()) notices.push_back(note);
     notices.push_back(std::string("R resets with the same time step") +
                       (shorter_helps ? ", Shift+R with 0.9 of its limit" : ""));
     return notices;

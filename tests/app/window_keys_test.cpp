@@ -99,7 +99,7 @@ TEST_F(WindowTest, TheTourGoesForwardAndBackAndEscapeLeavesIt) {
     goes_to("F1", 2);
     desktop_.act({"key", "--repeat", "6", "equal"});
     EXPECT_TRUE(eventually([this] { return drape_->standard_error().find("Diverged") != std::string::npos; }));
-    EXPECT_FALSE(std::filesystem::exists(file("unstable.toml"))) << "the tour writes no file";
+    EXPECT_FALSE(std::filesystem::exists(file("unstable.toml"))) << "the window writes no file unasked";
     goes_to("F2", 1);
     goes_to("F2", 0);
     goes_to("F2", stops.size() - 1);

@@ -105,7 +105,7 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     in_past_ = true;
     expect_apart({640, 480}, {});
     const std::size_t others = panels_.boxes().size();
-    expect_apart({640, 480}, {"The scene runs slower than real time: 1.6 s behind so far"});
+    expect_apart({640, 480}, {"The scene runs slower than it should: 1.6 s behind so far"});
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 
@@ -119,16 +119,16 @@ TEST_F(PanelBoxes, HelpTakesThePlaceOfTheSettings) {
 TEST_F(PanelBoxes, NameNoNodeWhileTheHandHoldsTheCloth) {
     FrameView view = simulation_.view();
     view.settings = &settings_;
-    std::size_t panels[2] = {0, 0};
+    int drawn[2] = {0, 0};  // vertices, of which a name takes some
     for (const bool held : {false, true}) {
         view.held = held;
         panels_.hover_y = 150;
         for (panels_.hover_x = 0; panels_.hover_x < 640; panels_.hover_x += 20) {
             panels_.build(view, Camera(settings_.view), {}, {}, 640, 480);
-            panels[held] += panels_.boxes().size();
+            drawn[held] += ImGui::GetDrawData()->TotalVtxCount;
         }
     }
-    EXPECT_GT(panels[false], panels[true]);
+    EXPECT_GT(drawn[false], drawn[true]);
 }
 
 TEST_F(PanelBoxes, AlwaysHaveTheTour) {

@@ -24,7 +24,7 @@ std::string tell_failure(const Simulation& simulation, const std::filesystem::pa
 
 /// What a picture says of a simulation for as long as it is so: why it ended and what helps, else a warning about its
 /// step; nothing where all is well.
-/// @param failure what `tell_failure` said of it; empty: nothing
+/// @param failure what `tell_failure` said of it; empty: nothing, and no file was written
 std::vector<std::string> state_notices(const Simulation& simulation, const std::string& failure);
 
 }  // namespace drape
