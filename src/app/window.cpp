@@ -189,7 +189,10 @@ void Window::draw(const FrameView& view) {
 
 void Window::take_picture() {
     if (!drawable() || closed_) return;
-    draw(seen());
+    // The bar of time is no part of the picture, but a drag of it would end with a frame without it
+    FrameView view = seen();
+    if (!panel_button_) view.timeline.oldest = view.timeline.newest;
+    draw(view);
     Image picture = renderer_->read_back();
     picture.texts = picture_texts(session_.simulation());
     write_new("Picture", ".png", [&](const std::filesystem::path& file) { return write_png(picture, file, true); });

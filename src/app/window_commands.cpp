@@ -134,9 +134,8 @@ void Window::replay_file(const std::string& file) {
 }
 
 std::vector<Command> Window::safe_step() {
-    const double longest = session_.simulation().longest_step();
-    if (!(longest > 0) || !std::isfinite(longest)) return {command::Reset{}};
-    if (session_.simulation().settings().solver.dt <= 0.9 * longest) return {command::Reset{}};
+    const double longest = session_.simulation().longest_step(), step = session_.simulation().settings().solver.dt;
+    if (!(longest > 0) || !std::isfinite(longest) || step <= 0.9 * longest) return {command::Reset{}};
     return {command::Set{"solver.dt=" + real_text(0.9 * longest, 3)}, command::Reset{}};
 }
 

@@ -117,9 +117,9 @@ void Camera::apply(const Command& command, const FrameView& view) {
     } else if (std::holds_alternative<command::Frame>(command)) {
         const Eigen::AlignedBox3f box = box_of(view);
         if (box.isEmpty()) return;
-        const float radius = 0.5f * box.diagonal().norm();
         target_ = box.center();
-        distance_ = std::clamp(radius / std::sin(field_of_view / 2), least_distance, most_distance);
+        distance_ =
+            std::clamp(box.diagonal().norm() / (2 * std::sin(field_of_view / 2)), least_distance, most_distance);
     } else {
         if (std::holds_alternative<command::Home>(command)) *this = Camera(view.settings->view);
         return;

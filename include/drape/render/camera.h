@@ -19,9 +19,8 @@ public:
     /// Looks from `view.eye` to `view.target`.
     explicit Camera(const ViewSettings& view);
 
-    /// Orbit, pan, zoom and frame, above solid ground and about a point among what there is; home. Every other command
-    /// passes by.
-    /// @param view what there is, and where the ground is
+    /// Orbit, pan, zoom and frame, among what there is and above solid ground; home. Every other command passes by.
+    /// @param view what there is
     void apply(const Command& command, const FrameView& view);
 
     /// Moves towards what another camera shows, so that 63 % of the way is made in 0.1 s, however long the frames are;
