@@ -191,7 +191,7 @@ void Window::take_picture() {
     if (!drawable() || closed_) return;
     // The bar of time is no part of the picture, but a drag of it would end with a frame without it
     FrameView view = seen();
-    if (!panel_button_) view.timeline.oldest = view.timeline.newest;
+    view.timeline.has_bar = panel_button_;
     draw(view);
     Image picture = renderer_->read_back();
     picture.texts = picture_texts(session_.simulation());
@@ -248,7 +248,7 @@ void Window::tell_of_drops() {
     dropped_ = dropped;
     const Simulation& simulation = session_.simulation();
     if (draws_fast() || simulation.report().asleep) return;
-    notices_.add("dropped", "The scene runs slower than it should: " + real_text(std::round(10 * dropped) / 10, 6) +
+    notices_.add("dropped", "The scene is slower than view.speed asks: " + real_text(std::round(10 * dropped) / 10, 6) +
                                 " s behind so far");
 }
 

@@ -35,8 +35,8 @@ void Window::on_character(unsigned char code, int, int) {
     const int modifiers = glutGetModifiers();
     const bool shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0, control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
     const std::string key = character_key(code, shift, control);
-    // With Control, what is typed is no text
-    if (renderer_->panels().have_keyboard() && !control) {
+    // Not a digit, for a field that Ctrl+click has opened
+    if (renderer_->panels().have_keyboard() && !(control && find_entry(entries_, key) != nullptr)) {
         held_keys_.insert(without_modifiers(key));
         return type_at_panel(code);
     }
@@ -178,11 +178,8 @@ void Window::on_motion(int x, int y) {
 }
 
 void Window::on_passive_motion(int x, int y) {
-    const Panels& panels = renderer_->panels();
-    const bool was_at_figures = panels.at_figures();
     at_panel({.x = x, .y = y});
-    if (was_at_figures || panels.at_figures()) panel_frames_ = 8;
-    dirty_ |= session_.simulation().settings().view.bounds;
+    panel_frames_ = 8;  // it may be over a figure or a node, which is explained there
 }
 
 void Window::on_wheel(int, int notches, int x, int y) {

@@ -101,7 +101,7 @@ float plots_panel(const PlotHistory& history, const OverlayPage& page) {
 
 PanelBox timeline_panel(const FrameView& view, const OverlayPage& page, std::optional<double>& wanted) {
     const Timeline& timeline = view.timeline;
-    const bool is_due = view.paused || timeline.replay || !timeline.is_live();
+    const bool is_due = timeline.has_bar && (view.paused || timeline.replay || !timeline.is_live());
     const bool too_large = timeline.is_too_large();
     if ((timeline.newest <= timeline.oldest && !too_large) || !is_due) return {};
     const float size = ImGui::GetFontSize(), pad = 0.5f * size;

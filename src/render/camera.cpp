@@ -107,11 +107,12 @@ void Camera::apply(const Command& command, const FrameView& view) {
         pitch_ = std::clamp(pitch_ + number(orbit->pitch), -steepest, steepest);
     } else if (const auto* pan = std::get_if<command::Pan>(&command)) {
         const Axes axes = axes_of(yaw_, pitch_);
+        // A cube around the scene, and no jump into it
+        const Eigen::AlignedBox3f scene = box_of(view);
+        const Eigen::Vector3f reach = Eigen::Vector3f::Constant(scene.diagonal().norm() / 2);
+        const auto allowed = Eigen::AlignedBox3f(scene.center() - reach, scene.center() + reach).extend(target_);
         target_ += distance_ * (number(pan->right) * axes.right + number(pan->up) * axes.up);
-        // Within what there is to be seen
-        Eigen::AlignedBox3f box = box_of(view);
-        box.extend(Eigen::Vector3f(view.settings->view.target.cast<float>()));
-        target_ = target_.cwiseMax(box.min()).cwiseMin(box.max());
+        target_ = target_.cwiseMax(allowed.min()).cwiseMin(allowed.max());
     } else if (const auto* zoom = std::get_if<command::Zoom>(&command)) {
         if (zoom->factor > 0) distance_ = std::clamp(distance_ * number(zoom->factor), least_distance, most_distance);
     } else if (std::holds_alternative<command::Frame>(command)) {
@@ -120,8 +121,9 @@ void Camera::apply(const Command& command, const FrameView& view) {
         target_ = box.center();
         distance_ =
             std::clamp(box.diagonal().norm() / (2 * std::sin(field_of_view / 2)), least_distance, most_distance);
+    } else if (std::holds_alternative<command::Home>(command)) {
+        *this = Camera(view.settings->view);
     } else {
-        if (std::holds_alternative<command::Home>(command)) *this = Camera(view.settings->view);
         return;
     }
     // Above the ground, under which there is nothing to see

@@ -54,7 +54,7 @@ inline std::string_view figure_help(std::string_view name) {
         {"total", "Kinetic energy, gravity and spring energy together"},
         {"to damping", "Energy that the springs' dampers have taken since the start"},
         {"to drag", "Energy that the drag of the air has taken"},
-        {"to contact", "Energy that contact has taken. At rest, contact gives back what each step loses: they cancel"},
+        {"to contact", "Energy that contact has taken. At rest it gives back what each step of the integrator loses"},
         {"integrator loss", "Energy that the integrator's own errors take away"},
         {"from wind", "Work that the wind has done on the cloth"},
         {"from hand", "Work that the hand has done on the cloth"},

@@ -158,7 +158,7 @@ void MenuPanel::draw_row(std::size_t row, const FrameView& view) {
     if (item.setting != nullptr && section_count(*view.settings, *item.setting) > 0) {
         mark = shown_value(*item.setting, item.setting->read(*view.settings, 0));
     }
-    const float text_end = end - (mark.empty() ? text_width(item.keys) : mark_columns * size);
+    const float text_end = end - (mark.empty() ? text_width(item.keys) + size : mark_columns * size);
     ImGui::PushClipRect(corner, {text_end, corner.y + 2 * size}, true);
     write(corner.x + group_columns * size, ink::text, item.text);
     ImGui::PopClipRect();

@@ -119,7 +119,7 @@ bool panels_fit(const ViewSettings& shown, bool hinted, float width, float heigh
     const float margin = margin_for(font);
     float columns = 0, rows = 0, margins = 1;
     if (shown.panel != PanelSize::Off) columns += figures_columns, margins += 3, rows = 12;
-    if (shown.controls) columns += SettingsPanel::columns, margins += 1, rows = 12;
+    if (shown.controls && !shown.help) columns += SettingsPanel::columns, margins += 1, rows = 12;
     if (hinted && (shown.controls || shown.panel == PanelSize::Full)) columns += hint_columns;
     if (hinted) rows += 10;
     if (shown.plots) columns = std::max(columns, plots_columns), rows += plots_rows + 2;
@@ -242,7 +242,7 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const bool names_nodes = shown.bounds && hover_x >= 0 && !view.held;
     if (width < least_width || height < least_height) {
         settings.hide();
-        figures_ = timeline_ = {};
+        timeline_ = {};
         forget_input();
         return false;
     }
@@ -288,8 +288,8 @@ bool OverlayPanels::build(FrameView view, const Camera& camera, const FrameRepor
     const float middle = right - 3 * margin - figures_columns * font;
     if (hinted && shown.controls && middle < hint_columns * font) beside = false;
     const ImVec2 pointer(static_cast<float>(hover_x), static_cast<float>(hover_y));
-    figures_ = beside ? figures_panel(view, last, fonts_[size + 1], page, pointer) : PanelBox{};
-    const float left = figures_.right + margin;
+    const PanelBox figures = beside ? figures_panel(view, last, fonts_[size + 1], page, pointer) : PanelBox{};
+    const float left = figures.right + margin;
     // On a small page a hint is worth more than legends
     const bool legend_room = !hinted || right - left > (hint_columns + 32) * font || page.height > 36 * font;
     if (!showing_help) {

@@ -46,9 +46,6 @@ public:
     [[nodiscard]] bool have_keyboard() const override;
     [[nodiscard]] bool close_list() override { return settings.close_list(); }
     [[nodiscard]] bool shows_timeline() const override { return timeline_.width() > 0; }
-    [[nodiscard]] bool at_figures() const override {
-        return figures_.covers(static_cast<float>(hover_x), static_cast<float>(hover_y));
-    }
 
     SettingsPanel settings{wishes};
     MenuPanel menu{settings, wishes};
@@ -72,7 +69,7 @@ private:
     LevelFits fits_;
     PlotHistory plots_;
     ComparisonPanel comparison_;
-    PanelBox figures_, timeline_;
+    PanelBox timeline_;
     std::vector<PanelBox> boxes_;
     std::shared_ptr<ImGuiContext> context_;
     Input input_;

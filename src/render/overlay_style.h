@@ -127,7 +127,7 @@ inline void tooltip(std::initializer_list<std::pair<ImU32, std::string>> texts, 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {size / 2, size / 2});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, size / 3);
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(28 * size);
+    ImGui::PushTextWrapPos(std::min(28 * size, (part.x > 0 ? corner.x : page.x - corner.x) - size));
     for (const auto& [colour, text] : texts) {
         if (!text.empty()) ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colour), "%s", text.c_str());
     }

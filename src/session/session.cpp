@@ -159,7 +159,7 @@ void Session::step() {
         news_.push_back({News::Topic::Crossing, simulation_.crossing_warning()});
     }
     if (comparison_) comparison_->follow(simulation_);
-    if (history_ && !comparison_ && !was_over && simulation_.report().status == Status::Diverged) start_swing();
+    if (history_ && !was_over && simulation_.report().status == Status::Diverged) start_swing();
     ++steps_made_;
     if (is_new && recorder_ && steps_made_ % hash_interval == 0) {
         recorder_->write_hash(steps_made_, simulation_.hash());

@@ -105,7 +105,7 @@ TEST_F(PanelBoxes, HaveANoticeBetweenThemWhereTheRoomIsNarrow) {
     in_past_ = true;
     expect_apart({640, 480}, {});
     const std::size_t others = panels_.boxes().size();
-    expect_apart({640, 480}, {"The scene runs slower than it should: 1.6 s behind so far"});
+    expect_apart({640, 480}, {"The scene is slower than view.speed asks: 1.6 s behind so far"});
     EXPECT_EQ(panels_.boxes().size(), others + 1);
 }
 

@@ -74,6 +74,21 @@ TEST(UnstableMode, IsThatOfTheClothThatDiverged) {
     EXPECT_EQ(session.view().mode->shape.rows(), 12 * 12);
 }
 
+TEST(UnstableMode, IsNotShownBesideARunThatIsCompared) {
+    Session session(small_simulation());
+    session.keep_history({});
+    for (const char* command : {"set solver.integrator=explicit_euler", "set solver.on_unstable=warn",
+                                "set solver.dt=0.02", "compare solver.integrator=backward_euler"}) {
+        session.send(parse_command(command));
+    }
+    make_steps(session, 200);
+    ASSERT_EQ(session.simulation().report().status, Status::Diverged);
+    EXPECT_NE(session.view().comparison, nullptr);
+    EXPECT_EQ(session.view().mode, nullptr);
+    session.send(parse_command("compare none"));
+    EXPECT_NE(session.view().mode, nullptr);
+}
+
 TEST_F(UnstableRun, SwingsByAQuarterOfACellUntilItIsLeft) {
     const Points before = session.view().cloths[0].x;
     const std::uint64_t hash = session.simulation().hash();

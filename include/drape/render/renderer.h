@@ -99,9 +99,6 @@ public:
     /// Whether the bar of time is shown, which follows the pointer as the settings panel does.
     [[nodiscard]] virtual bool shows_timeline() const = 0;
 
-    /// Whether the pointer is over the stats panel, whose rows say there what they mean.
-    [[nodiscard]] virtual bool at_figures() const = 0;
-
 protected:
     ~Panels() = default;
 };

@@ -116,7 +116,9 @@ public:
     [[nodiscard]] FrameView view();
 
     /// Whether it is seen so now: it moves with the wall time that `advance` is told of, paused or not.
-    [[nodiscard]] bool swings() const { return swing_ && simulation_.report().status == Status::Diverged; }
+    [[nodiscard]] bool swings() const {
+        return swing_ && !comparison_ && simulation_.report().status == Status::Diverged;
+    }
 
     /// Whether another run is beside it: from `command::Compare` until the next one, or the next scene.
     [[nodiscard]] bool compares() const { return comparison_.has_value(); }
