@@ -5,7 +5,6 @@
 
 #include "drape/base/input_error.h"
 #include "drape/base/input_file.h"
-#include "drape/base/numbers.h"
 #include "drape/base/output_file.h"
 
 namespace drape {
@@ -26,7 +25,9 @@ std::optional<PictureSize> kept_window_size(const PictureSize& screen) {
     const std::filesystem::path file = window_size_file();
     if (file.empty()) return std::nullopt;
     try {
-        const PictureSize size = parse_size(std::string(trimmed(read_text(file, longest_text, InputKind::Regular))));
+        std::string text = read_text(file, longest_text, InputKind::Regular);
+        if (text.ends_with('\n')) text.pop_back();
+        const PictureSize size = parse_size(text);
         return PictureSize{std::clamp(size.width, min_width, std::max(screen.width, min_width)),
                            std::clamp(size.height, min_height, std::max(screen.height, min_height))};
     } catch (const InputError&) {
