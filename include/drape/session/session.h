@@ -112,7 +112,7 @@ public:
     [[nodiscard]] Real blend() const;
 
     /// A run that has diverged because of its step is seen as it was before, swinging in its unstable mode, where a
-    /// history is kept.
+    /// history is kept and no other run is beside it.
     [[nodiscard]] FrameView view();
 
     /// Whether it is seen so now: it moves with the wall time that `advance` is told of, paused or not.
