@@ -117,11 +117,11 @@ void Window::on_tick(int) {
     dirty_ |= notices_.advance(elapsed) || (simulation.paused() ? simulation.report().step != drawn_step_ : !sleeps);
     menu_->update(simulation);
     take_panel_changes();
-    if (panel_frames_ > 0) --panel_frames_, dirty_ = true;
     if (const std::string news = video_.news(); !news.empty()) notices_.add("video", news), dirty_ = true;
     dirty_ |= video_.recording() || session_.swings();
     if (simulation.settings().view.quality != PictureQuality::Auto) pace_ = {};
     pace_.follow(dirty_, elapsed);
+    if (panel_frames_ > 0) --panel_frames_, dirty_ = true;  // which is no motion of what is shown
     since_drawn_ += elapsed;
     dirty_ |= pace_.unfinished() || (sleeps && since_drawn_ >= asleep_tick);
     if (dirty_ && drawable()) glutPostRedisplay();

@@ -35,7 +35,7 @@ void Window::on_character(unsigned char code, int, int) {
     const int modifiers = glutGetModifiers();
     const bool shift = (modifiers & GLUT_ACTIVE_SHIFT) != 0, control = (modifiers & GLUT_ACTIVE_CTRL) != 0;
     const std::string key = character_key(code, shift, control);
-    // Not a digit, for a field that Ctrl+click has opened
+    // A shortcut acts in a field too; a digit may be typed while the Ctrl of a Ctrl+click is still down
     if (renderer_->panels().have_keyboard() && !(control && find_entry(entries_, key) != nullptr)) {
         held_keys_.insert(without_modifiers(key));
         return type_at_panel(code);

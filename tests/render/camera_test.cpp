@@ -85,7 +85,7 @@ TEST(Camera, StaysAboveSolidGround) {
     }
 }
 
-TEST(Camera, KeepsAPointAmongWhatThereIsInTheMiddle) {
+TEST(Camera, PansNoFartherThanTheSceneReaches) {
     Camera camera(looking({0, 0.2, 3}, {0, 0, 0}));
     for (int i = 0; i < 100; ++i) camera.apply(command::Pan{0.5, 0.5}, wide_view(-1));
     EXPECT_LT(camera.target().cwiseAbs().maxCoeff(), 20);

@@ -19,8 +19,8 @@ public:
     /// Looks from `view.eye` to `view.target`.
     explicit Camera(const ViewSettings& view);
 
-    /// Orbit, pan, zoom and frame, among what there is and above solid ground; home. Every other command passes by.
-    /// @param view what there is
+    /// Orbit, pan, zoom and frame, no farther than the scene reaches and above solid ground; home. Every other command
+    /// passes by.
     void apply(const Command& command, const FrameView& view);
 
     /// Moves towards what another camera shows, so that 63 % of the way is made in 0.1 s, however long the frames are;

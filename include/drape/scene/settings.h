@@ -132,7 +132,7 @@ enum class ColourBy {
 enum class PictureQuality {
     Auto,  ///< fast in a window whose display is slow while something moves, else full
     Fast,  ///< half the width and height, fewer particles of a large cloth
-    Full   ///< all of both
+    Full   ///< the whole size, and every particle
 };
 
 /// What the cloth looks like.

@@ -17,7 +17,7 @@ struct UnstableMode {
     std::size_t cloth = 0;
     StepLimit limit = {};
     double step = 0;                 ///< that the run had [s]
-    double time = 0;                 ///< of the run when it was calm, where the shape is [s]
+    double time = 0;                 ///< of the calm moment at which the shape was found [s]
     Points shape = {};               ///< n x 3 displacements, of which the largest is 1; exactly 0 at pins
     std::array<int, 2> spring = {};  ///< ends of the spring that takes the largest part in it
     std::string_view kind = {};      ///< of that spring: "structural", "shear" or "bend"

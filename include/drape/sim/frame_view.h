@@ -39,7 +39,7 @@ struct Timeline {
     bool replay = false;           ///< what lies ahead comes from a recording
     std::int64_t replay_from = 0;  ///< step at which it began
     bool is_computed = true;       ///< the present step; else what is shown is one on the way there
-    bool has_bar = true;           ///< is drawn, where there is a past
+    bool has_bar = true;           ///< the bar of time is drawn, where there is a past
 
     [[nodiscard]] bool is_live() const { return now == newest; }
 
